@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef PACKING_PACKING_H
+#define PACKING_PACKING_H
+
+/** \file packing/packing.h
+ *  All of libpacking. */
+
+#include <packing/base.h>
+#include <packing/domain.h>
+#include <packing/grid.h>
+#include <packing/io.h>
+#include <packing/measure.h>
+#include <packing/particles.h>
+#include <packing/placer.h>
+#include <packing/psd.h>
+#include <packing/rng.h>
+#include <packing/types.h>
+
+#endif
