@@ -24,7 +24,7 @@ void packing_domain_destroy(packing_domain *domain)
 packing_i_domain_body packing_i_domain_body_new(const packing_i_domain_ops *ops, int dim)
 {
   packing_i_domain_body body = {.ops = ops, .dim = dim, .open_axis = -1};
-  body.period = packing_i_vec(INFINITY, INFINITY, INFINITY);
+  body.period = packing_i_vec(HUGE_VAL, HUGE_VAL, HUGE_VAL);
   return body;
 }
 

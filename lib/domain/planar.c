@@ -43,8 +43,8 @@ static void set_axis(packing_i_domain_body *body, int k, double corner, double s
                      unsigned periodic, int open)
 {
   packing_i_planar *p = &body->as.planar;
-  p->wall_lo[k] = p->cut_lo[k] = -INFINITY;
-  p->wall_hi[k] = p->cut_hi[k] = INFINITY;
+  p->wall_lo[k] = p->cut_lo[k] = -HUGE_VAL;
+  p->wall_hi[k] = p->cut_hi[k] = HUGE_VAL;
   if (k >= body->dim)
     return;
   packing_i_set_component(&body->bounds.lo, k, corner);
