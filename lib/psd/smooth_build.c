@@ -78,7 +78,7 @@ static void fit(const packing_i_smooth_builder *b, const double *f, double *term
     double sum = 0;
     for (int i = 0; i < PACKING_I_TERMS; i++)
       sum += b->weight[i] * f[i] * b->legendre[i][k];
-    term[k] = (k + 0.5) * sum;
+    term[k] = sum / 2;
   }
 }
 
@@ -95,7 +95,8 @@ static int resolved(const packing_i_smooth_builder *b, const double *f,
   }
   if (isfinite(log_largest) && (log(largest) < log_largest - 1 || least < 1e-3 * largest))
     return 0;
-  const double tail = fabs(term[PACKING_I_TERMS - 1]) + fabs(term[PACKING_I_TERMS - 2]);
+  const int last = PACKING_I_TERMS - 1;
+  const double tail = (2 * last + 1) * (fabs(term[last]) + fabs(term[last - 1]));
   return largest - least <= 1e-3 * largest ||
          tail <= 1e-13 * largest + 4 * DBL_EPSILON * slope / half;
 }
