@@ -83,7 +83,7 @@ static void fit(const packing_i_smooth_builder *b, const double *f, double *term
 }
 
 /* Whether the series stands for the density. `log_largest` is -infinity where nothing is known
- * of the panel; else the density may also not fall by more than 1e3 in it, for Newton's sake. */
+ * of the panel; else the density may also not fall by more than a factor 30, for Newton's sake. */
 static int resolved(const packing_i_smooth_builder *b, const double *f,
                     const double *term, double half, double log_largest)
 {
@@ -93,7 +93,7 @@ static int resolved(const packing_i_smooth_builder *b, const double *f,
     least = fmin(least, f[i]);
     slope = fmax(slope, fabs(f[i] - f[i - 1]) / (b->point[i] - b->point[i - 1]));
   }
-  if (isfinite(log_largest) && (log(largest) < log_largest - 1 || least < 1e-3 * largest))
+  if (isfinite(log_largest) && (log(largest) < log_largest - 1 || least < 0.03 * largest))
     return 0;
   const int last = PACKING_I_TERMS - 1;
   const double tail = (2 * last + 1) * (fabs(term[last]) + fabs(term[last - 1]));
