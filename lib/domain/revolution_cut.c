@@ -98,22 +98,40 @@ static double proper(const cut *c, const double h[2], double tolerance, double *
   return sum;
 }
 
-/* The integral over heights between which nothing bends. */
-static double piece(const cut *c, const double h[2], double tolerance, double *error)
+/* What the two discs of a height share. */
+typedef enum share { NOTHING, DISC_OF_BALL, DISC_OF_BODY, LENS } share;
+
+static share share_at(const cut *c, double h)
 {
-  const double at[3] = {h[0], 0.5 * (h[0] + h[1]), h[1]};
-  const double weight[3] = {1, 4, 1};
-  const double ball = slice_of_ball(c, at[1]), body = c->radius(c->body, at[1]);
+  const double ball = slice_of_ball(c, h), body = c->radius(c->body, h);
   if (c->rho >= ball + body)
-    return 0;
+    return NOTHING;
   if (c->rho > fabs(ball - body))
-    return proper(c, h, tolerance, error);
+    return LENS;
+  return ball < body ? DISC_OF_BALL : DISC_OF_BODY;
+}
+
+static double simpson(const cut *c, const double h[2], share s)
+{
   double sum = 0;
   for (int i = 0; i < 3; i++) {
-    const double s = ball < body ? slice_of_ball(c, at[i]) : c->radius(c->body, at[i]);
-    sum += weight[i] * s * s;
+    const double at = i == 1 ? 0.5 * (h[0] + h[1]) : h[i / 2];
+    const double radius =
+        s == DISC_OF_BALL ? slice_of_ball(c, at) : c->radius(c->body, at);
+    sum += (i == 1 ? 4 : 1) * radius * radius;
   }
   return PACKING_I_PI * (h[1] - h[0]) / 6 * sum;
+}
+
+/* The integral over heights between which nothing bends. Three places must agree before it is
+ * taken for one disc: discs may touch in passing in one of them. */
+static double piece(const cut *c, const double h[2], double tolerance, double *error)
+{
+  const share s = share_at(c, 0.5 * (h[0] + h[1]));
+  if (s == LENS || s != share_at(c, 0.75 * h[0] + 0.25 * h[1]) ||
+      s != share_at(c, 0.25 * h[0] + 0.75 * h[1]))
+    return proper(c, h, tolerance, error);
+  return s == NOTHING ? 0 : simpson(c, h, s);
 }
 
 typedef struct heights {
@@ -137,7 +155,7 @@ static void add_touching(heights *list, const packing_i_wall *w, double rho, dou
                          double r)
 {
   const double to_wall = w->a * rho + w->b * h + w->c;
-  if (w->a == 0 || fabs(to_wall) >= r)
+  if (w->a == 0 || fabs(to_wall) > r)
     return;
   const double chord = sqrt((r - to_wall) * (r + to_wall));
   const double foot = w->a * h - w->b * rho;

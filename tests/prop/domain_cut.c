@@ -75,7 +75,7 @@ static void hold_against_slow(const scene *s, uint64_t seed, int balls)
     const double coarse = cut(domain, p, r, 1e-3, &error);
     assert_near(coarse, v, error + 1e-10 * whole(s, r));
     assert_true(error <= 1e-3 * whole(s, r));
-    assert_true(v <= packing_domain_volume(domain) * (1 + 1e-14));
+    assert_true(s->periodic || v <= packing_domain_volume(domain) * (1 + 1e-14));
   }
   packing_domain_destroy(domain);
 }
@@ -120,8 +120,9 @@ static void boxes_share_a_ball_out(void **state)
     double sum = 0;
     for (int i = 0; i < 27; i++) {
       const double lo[] = {-9, 0, 0.7}, size[] = {9, 0.7, 12};
-      scene s = {SCENE_BOX, size[i % 3], size[i / 3 % 3], size[i / 9], 0,
-                 {lo[i % 3], lo[i / 3 % 3], lo[i / 9]}, 2, 0, 0};
+      scene s = {SCENE_BOX,   size[i % 3], size[i / 3 % 3],
+                 size[i / 9], 0,           {lo[i % 3], lo[i / 3 % 3], lo[i / 9]},
+                 2,           0,           0};
       packing_domain *domain = scene_make(&s);
       sum += cut(domain, p, r, 1e-9, NULL);
       packing_domain_destroy(domain);
@@ -140,8 +141,8 @@ static void rectangles_share_a_disc_out(void **state)
     double sum = 0;
     for (int i = 0; i < 9; i++) {
       const double lo[] = {-9, 0, 0.7}, size[] = {9, 0.7, 12};
-      scene s = {SCENE_RECTANGLE, size[i % 3], size[i / 3], 0, 0,
-                 {lo[i % 3], lo[i / 3], 0}, 1, 0, 0};
+      scene s = {SCENE_RECTANGLE,           size[i % 3], size[i / 3], 0, 0,
+                 {lo[i % 3], lo[i / 3], 0}, 1,           0,           0};
       packing_domain *domain = scene_make(&s);
       sum += cut(domain, p, r, 1e-9, NULL);
       packing_domain_destroy(domain);
@@ -169,8 +170,10 @@ static void quadratures_add_up(void **state)
     const packing_vec3 p = {2 * scene_random(&random) - 1, 2 * scene_random(&random) - 1,
                             2.4 * scene_random(&random) - 0.2};
     const double ball = 4.0 / 3.0 * TEST_PI * r * r * r;
-    const double wide = cut_scene((scene){SCENE_CYLINDER, 0.9, 2, 0, 0, at, 2, 0, 0}, p, r);
-    const double thin = cut_scene((scene){SCENE_CYLINDER, 0.4, 2, 0, 0, at, 2, 0, 0}, p, r);
+    const double wide =
+        cut_scene((scene){SCENE_CYLINDER, 0.9, 2, 0, 0, at, 2, 0, 0}, p, r);
+    const double thin =
+        cut_scene((scene){SCENE_CYLINDER, 0.4, 2, 0, 0, at, 2, 0, 0}, p, r);
     const double tube = cut_scene((scene){SCENE_TUBE, 0.4, 0.9, 2, 0, at, 2, 0, 0}, p, r);
     assert_near(tube, wide - thin, 1e-12 * ball);
     const double silo =
@@ -196,12 +199,10 @@ static void quadratures_meet_closed_forms(void **state)
   /* Apex at the centre: a cone and its cap, 2/3 pi r^3 (1 - cos(angle)). */
   assert_near(cut_scene((scene){SCENE_CONE, 0, 30, 40, 0, origin, 2, 0, 0}, origin, r),
               2.0 / 3.0 * TEST_PI * r * r * r * (1 - 0.8), 1e-13 * ball);
-  /* A ball through the wall of a cylinder of its own radius, centre on the wall: the solid of
-   * Viviani's kind, (2 pi / 3 - 8 / 9) of the hemisphere's ... doubled. */
-  assert_near(
-      cut_scene((scene){SCENE_CYLINDER, 0.5, 100, 0, 0, low, 2, 0, 0},
-                (packing_vec3){0.5, 0, 0}, 1),
-      2 * (TEST_PI / 3 * 2 - 8.0 / 9.0) / 2 + 0 * ball, 1e-12);
+  /* Viviani: a cylinder through the centre, half as wide as the ball, touches it inside. */
+  assert_near(cut_scene((scene){SCENE_CYLINDER, 0.5, 100, 0, 0, low, 2, 0, 0},
+                        (packing_vec3){0.5, 0, 0}, 1),
+              2.0 / 3.0 * (TEST_PI - 4.0 / 3.0), 1e-13 * ball);
 }
 
 static void numbers_of_the_literature(void **state)
@@ -247,12 +248,10 @@ static void extremes_are_exact(void **state)
     uint64_t random = 3;
     int inside = 0;
     for (int i = 0; i < 300; i++) {
-      const packing_vec3 p = scene_random_point(&random, domain, 0.5);
+      const packing_vec3 p = scene_random_point(&random, domain, 0.1);
       const double d = packing_domain_signed_distance(domain, &p, NULL);
       double error = -1;
       if (d > 0) {
-        assert_true(cut(domain, p, d, 1e-9, &error) == whole(&s, d) ||
-                    scene_dim(&s) == 3);
         assert_close(cut(domain, p, d, 1e-9, &error), whole(&s, d), 1e-15);
         assert_true(error == 0);
         inside++;

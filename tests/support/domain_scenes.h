@@ -46,16 +46,16 @@ static inline packing_domain *scene_make(const scene *s)
   (def.base = s->at, def.axis = (packing_axis)s->axis, def.open_top = s->open)
   switch (s->kind) {
   case SCENE_BOX:
-    SCENE_MAKE(box, (def.size.x = s->a, def.size.y = s->b, def.size.z = s->c,
-                     def.corner = s->at, def.open_top = s->open,
-                     def.periodic = s->periodic));
+    SCENE_MAKE(box,
+               (def.size.x = s->a, def.size.y = s->b, def.size.z = s->c,
+                def.corner = s->at, def.open_top = s->open, def.periodic = s->periodic));
     break;
   case SCENE_CYLINDER:
     SCENE_MAKE(cylinder, (def.radius = s->a, def.height = s->b, SCENE_AXIS));
     break;
   case SCENE_TUBE:
-    SCENE_MAKE(tube, (def.inner_radius = s->a, def.outer_radius = s->b,
-                      def.height = s->c, SCENE_AXIS));
+    SCENE_MAKE(tube, (def.inner_radius = s->a, def.outer_radius = s->b, def.height = s->c,
+                      SCENE_AXIS));
     break;
   case SCENE_CONE:
     SCENE_MAKE(cone, (def.bottom_radius = s->a, def.top_radius = s->b, def.height = s->c,
@@ -76,8 +76,8 @@ static inline packing_domain *scene_make(const scene *s)
     SCENE_MAKE(circle, (def.radius = s->a, def.centre = s->at));
     break;
   case SCENE_ANNULUS:
-    SCENE_MAKE(annulus, (def.inner_radius = s->a, def.outer_radius = s->b,
-                         def.centre = s->at));
+    SCENE_MAKE(annulus,
+               (def.inner_radius = s->a, def.outer_radius = s->b, def.centre = s->at));
     break;
   case SCENE_END:
     break;
@@ -141,7 +141,8 @@ static inline double scene_half(double radius, double rho2)
 static inline int scene_pieces(const scene *s, double u, double v, scene_piece piece[2])
 {
   const double h = scene_coordinate(s->at, s->axis);
-  const double du = scene_dim(s) == 2 ? 0 : u - scene_coordinate(s->at, (s->axis + 1) % 3);
+  const double du =
+      scene_dim(s) == 2 ? 0 : u - scene_coordinate(s->at, (s->axis + 1) % 3);
   const double dv = v - scene_coordinate(s->at, (s->axis + 2) % 3);
   const double rho2 = du * du + dv * dv, rho = sqrt(rho2);
   piece[0] = piece[1] = (scene_piece){0, 0, 0};
@@ -162,16 +163,16 @@ static inline int scene_pieces(const scene *s, double u, double v, scene_piece p
     return 1;
   case SCENE_CONE:
     if (s->b >= s->a && rho <= s->b)
-      piece[0] = (scene_piece){
-          h + (rho > s->a ? s->c * (rho - s->a) / (s->b - s->a) : 0), h + s->c, 1};
+      piece[0] = (scene_piece){h + (rho > s->a ? s->c * (rho - s->a) / (s->b - s->a) : 0),
+                               h + s->c, 1};
     if (s->b < s->a && rho <= s->a)
       piece[0] = (scene_piece){
           h, h + (rho > s->b ? s->c * (s->a - rho) / (s->a - s->b) : s->c), 1};
     return 1;
   case SCENE_SILO:
     if (rho <= s->a)
-      piece[0] = (scene_piece){
-          h + (rho > s->c ? s->d * (rho - s->c) / (s->a - s->c) : 0), h + s->b, 1};
+      piece[0] = (scene_piece){h + (rho > s->c ? s->d * (rho - s->c) / (s->a - s->c) : 0),
+                               h + s->b, 1};
     return 1;
   case SCENE_RECTANGLE:
     if ((s->periodic & 1) || (dv >= 0 && dv <= s->a))
