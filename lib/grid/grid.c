@@ -21,7 +21,7 @@
 #define LARGEST 1e150
 #define SMALLEST 1e-150
 
-enum { PARALLEL_ROWS = 256 };
+enum { PARALLEL_ROWS = 16, AHEAD = 16 };
 
 /* What a grid is built from. */
 typedef struct source {
@@ -233,6 +233,21 @@ typedef struct takeover {
   size_t rows;
 } takeover;
 
+/* Asks for a particle that is read some turns later: its place in memory is random. */
+static void call_up(const packing_view *v, size_t i)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch((const char *)v->x.data + i * v->x.stride);
+  __builtin_prefetch((const char *)v->y.data + i * v->y.stride);
+  __builtin_prefetch((const char *)v->r.data + i * v->r.stride);
+  if (v->z.data != NULL)
+    __builtin_prefetch((const char *)v->z.data + i * v->z.stride);
+#else
+  (void)v;
+  (void)i;
+#endif
+}
+
 static void take_rows(void *arg, size_t block)
 {
   const takeover *t = arg;
@@ -242,6 +257,8 @@ static void take_rows(void *arg, size_t block)
   const size_t end = t->rows - first < PARALLEL_ROWS ? t->rows : first + PARALLEL_ROWS;
   const size_t from = g->rows[first].start, to = g->rows[end].start;
   for (size_t i = from; i < to; i++) {
+    if (i + AHEAD < to)
+      call_up(view, t->records[i + AHEAD].index);
     const packing_vec3 p =
         packing_i_grid_wrap(g, packing_i_view_centre(view, t->records[i].index));
     t->records[i].key.s = packing_i_component(p, g->order[0]);

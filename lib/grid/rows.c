@@ -13,7 +13,7 @@ double packing_i_grid_width(const packing_i_grid_axis *axis, int octave)
 uint64_t packing_i_grid_cell(const packing_grid *grid, const packing_i_grid_axis *axis,
                              double v, int octave)
 {
-  const double scale = ldexp(1.0, octave);
+  const double scale = (double)(UINT64_C(1) << octave);
   const double u = (v - axis->lo) / axis->width;
   if (axis->cells > 0) {
     const uint64_t cells = axis->cells << octave;
@@ -21,9 +21,10 @@ uint64_t packing_i_grid_cell(const packing_grid *grid, const packing_i_grid_axis
     const uint64_t cell = k > 0 ? (uint64_t)k : 0;
     return cell < cells ? cell : cells - 1;
   }
-  const double most = ldexp(1.0, PACKING_I_GRID_REACH - grid->deepest);
-  const double clamped = u < -most ? -most : u > most ? most : u;
-  return (uint64_t)((int64_t)floor(clamped * scale) + ((int64_t)most << octave));
+  const int64_t most = INT64_C(1) << (PACKING_I_GRID_REACH - grid->deepest);
+  const double limit = (double)most;
+  const double clamped = u < -limit ? -limit : u > limit ? limit : u;
+  return (uint64_t)((int64_t)floor(clamped * scale) + (most << octave));
 }
 
 /* Rounding moves a coordinate by less than 1/256 cell; two cells whose numbers differ by more
