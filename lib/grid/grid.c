@@ -8,6 +8,7 @@
  * swept. That needs memory for the rows there are, whatever the extent of the pack, and finds
  * 4 r of a row instead of three cells' 6 r. Cost: N log(row length) to build, N for all pairs. */
 #include "grid/grid_internal.h"
+#include "domain/domain_internal.h"
 #include "vec.h"
 #include "view.h"
 #include <float.h>
@@ -123,7 +124,7 @@ static void open_axes(packing_grid *g, const packing_domain *domain)
       continue;
     axis->lo = packing_i_component(bounds.lo, k);
     axis->hi = packing_i_component(bounds.hi, k);
-    axis->period = axis->hi - axis->lo;
+    axis->period = packing_i_component(domain->body.period, k);
     axis->half = 0.5 * axis->period;
     axis->cells = 1;
   }
