@@ -9,7 +9,8 @@
  *
  *  `by` tells what the shares of the law count: particles, or mass (then a particle weighs
  *  r^dim, so `dim` is 2 for discs). Whatever the law counts, moments, cdf and quantile can
- *  be asked by number and by mass. The law must lie on 0 < min_r <= r <= max_r < infinity.
+ *  be asked by number and by mass. The law must lie on 0 < min_r <= r <= max_r < infinity;
+ *  radii from 1e-200 to 1e200 spanning at most 1:1e30 are accepted.
  *
  *  Scaling every length of a def by a power of two scales each draw bit for bit. */
 
@@ -406,7 +407,8 @@ PACKING_API size_t packing_psd_components(const packing_psd *psd);
  *  \param power from -6 to 6
  *  \param[out] moment E[r^power] [L^power]; closed forms where there are, else quadrature to
  *         1e-12 relative
- *  \return PACKING_OK; PACKING_ERR_RANGE (power). Thread-safe */
+ *  \return PACKING_OK; PACKING_ERR_INVALID (NULL); PACKING_ERR_RANGE (power, or a moment
+ *          beyond the range of doubles). Thread-safe */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_psd_moment(const packing_psd *psd,
                                                                   packing_by by,
                                                                   int power,
@@ -416,14 +418,14 @@ PACKING_API PACKING_WARN_UNUSED packing_status packing_psd_moment(const packing_
  *  \param psd the distribution
  *  \param by number or mass
  *  \param r any value [L]; NaN gives NaN
- *  \return from 0 to 1, never falling in r. Thread-safe */
+ *  \return from 0 to 1, never falling in r but for rounding. Thread-safe */
 PACKING_API double packing_psd_cdf(const packing_psd *psd, packing_by by, double r);
 
 /** The smallest radius with cdf at least p.
  *  \param psd the distribution
  *  \param by number or mass
  *  \param p from 0 to 1; beyond, the ends; NaN gives NaN
- *  \return [L], in [min_r, max_r], never falling in p. Thread-safe */
+ *  \return [L], in [min_r, max_r], never falling in p but for rounding. Thread-safe */
 PACKING_API double packing_psd_quantile(const packing_psd *psd, packing_by by, double p);
 
 /** Draws one radius, by number. A mixture takes two numbers of the stream, the rest one.

@@ -22,7 +22,7 @@ enum {
 /** A random stream; one owner. */
 typedef struct packing_rng packing_rng;
 
-/** Opens a stream at its beginning. Streams are 2^33 draws of 64 bits long.
+/** Opens a stream at its beginning. A stream holds 2^65 draws of 64 bits.
  *  \param context NULL is fine
  *  \param seed any value
  *  \param purpose one of the PACKING_PURPOSE_ values or the user's own
@@ -47,14 +47,14 @@ PACKING_API uint64_t packing_rng_bits(packing_rng *rng);
  *  \return uniform, never 1 */
 PACKING_API double packing_rng_uniform(packing_rng *rng);
 
-/** Draws from (0, 1): an odd multiple of 2^-54.
+/** Draws from (0, 1): an odd multiple of 2^-53.
  *  \param rng the stream
  *  \return uniform, never 0 or 1 */
 PACKING_API double packing_rng_uniform_open(packing_rng *rng);
 
 /** Draws an integer without bias (Lemire's method).
  *  \param rng the stream
- *  \param bound at least 1
+ *  \param bound at least 1 (0 gives 0)
  *  \return uniform over [0, bound) */
 PACKING_API uint64_t packing_rng_below(packing_rng *rng, uint64_t bound);
 

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef PACKING_DOMAIN_INTERNAL_H
+#define PACKING_DOMAIN_INTERNAL_H
+
+/* What a container is inside, and what placers and measures may use of it without a call
+ * through a pointer: packing_i_domain_planar() and packing_i_domain_separation(). */
+
+#include "base_internal.h"
+#include "vec.h"
+#include <packing/domain.h>
+#include <stdatomic.h>
+
+typedef struct packing_i_domain_body packing_i_domain_body;
+
+/* One kind of container. */
+typedef struct packing_i_domain_ops {
+  const char *name;
+  const char *reference;
+  double (*signed_distance)(const packing_i_domain_body *body, const packing_vec3 *point,
+                            packing_vec3 *normal); /* `normal` may be NULL */
+  /* signed_distance >= r, the cheap way; NULL: no cheaper way. */
+  int (*holds)(const packing_i_domain_body *body, const packing_vec3 *centre, double r);
+  /* Moves every wall of *body inwards by d > 0 and corrects bounds and volume; a volume of 0
+   * says that nothing is left. */
+  packing_status (*inset)(packing_context *context, packing_i_domain_body *body,
+                          double d);
+  /* The part of a ball or disc that the region holds and an error, where the ball is neither
+   * wholly inside nor wholly outside; -1 when the container misbehaves (custom only). */
+  int (*sphere_volume)(const packing_i_domain_body *body, const packing_vec3 *centre,
+                       double r, double tolerance, double *volume, double *error);
+  void (*keep)(const packing_i_domain_body *body);    /* NULL: nothing to share */
+  void (*release)(const packing_i_domain_body *body); /* NULL: nothing to release */
+} packing_i_domain_ops;
+
+/* Box and rectangle. Infinite where there is no wall, so that no test is needed. */
+typedef struct packing_i_planar {
+  double wall_lo[3], wall_hi[3]; /* walls */
+  double cut_lo[3], cut_hi[3];   /* borders of the region: walls and the open top */
+} packing_i_planar;
+
+struct packing_i_domain_body {
+  const packing_i_domain_ops *ops;
+  int dim;
+  unsigned periodic;     /* sum of PACKING_PERIODIC_ */
+  int open_axis;         /* the open top is the high side of the bounds here; -1: none */
+  double volume;         /* of the region */
+  packing_bounds bounds; /* of the region */
+  packing_vec3 period;   /* size of the cell; +infinity where not periodic */
+  union {
+    packing_i_planar planar;
+  } as;
+};
+
+struct packing_domain {
+  atomic_size_t holds;
+  packing_allocator allocator; /* a copy: a domain outlives its context */
+  packing_i_domain_body body;
+};
+
+/* The walls of a box or rectangle, else NULL. A loop over many points then needs no call:
+ * a ball is held where x - wall_lo[k] >= r and wall_hi[k] - x >= r for all k. */
+const packing_i_planar *packing_i_domain_planar(const packing_domain *domain);
+
+/* One component of a separation. The difference is exact for neighbours in a cell; on a tie
+ * the shorter way round is the direct one. Odd: swapping the ends changes the sign alone. */
+static inline double packing_i_nearest_image(double difference, double period)
+{
+  const double half = 0.5 * period;
+  if (difference > half)
+    difference -= period;
+  else if (difference < -half)
+    difference += period;
+  return fabs(difference) > half ? remainder(difference, period) : difference;
+}
+
+/* packing_domain_separation(), inline. */
+static inline packing_vec3 packing_i_domain_separation(const packing_domain *domain,
+                                                       packing_vec3 a, packing_vec3 b)
+{
+  const packing_vec3 period = domain->body.period;
+  return packing_i_vec(packing_i_nearest_image(b.x - a.x, period.x),
+                       packing_i_nearest_image(b.y - a.y, period.y),
+                       packing_i_nearest_image(b.z - a.z, period.z));
+}
+
+#endif

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef PACKING_DOMAIN_KINDS_H
+#define PACKING_DOMAIN_KINDS_H
+
+/* What the kinds of containers share; nobody outside lib/domain needs it. */
+
+#include "domain_internal.h"
+
+/* The start of every packing_domain_create_<kind>(): neither pointer may be NULL. */
+packing_status packing_i_domain_begin(packing_context *context, const void *def,
+                                      packing_domain **domain);
+
+/* A body without walls, periodic directions and open top. */
+packing_i_domain_body packing_i_domain_body_new(const packing_i_domain_ops *ops, int dim);
+
+/* The end of it: a handle over *body, whose volume must be a positive number. `field` is to
+ * blame where it is not. */
+packing_status packing_i_domain_finish(packing_context *context,
+                                       const packing_i_domain_body *body,
+                                       const char *field, packing_domain **domain);
+
+/* Checks of fields that several kinds have. */
+packing_status packing_i_domain_check_point(packing_context *context,
+                                            const char *const fields[3],
+                                            const packing_vec3 *point);
+packing_status packing_i_domain_check_flat(packing_context *context, const char *field,
+                                           double z);
+packing_status packing_i_domain_check_open_top(packing_context *context, int open_top);
+
+/* Box and rectangle: intervals along `dim` axes. */
+typedef struct packing_i_planar_def {
+  packing_vec3 size;
+  packing_vec3 corner;
+  unsigned periodic;
+  int open_top; /* the high side of the last axis */
+  const char *size_fields[3];
+} packing_i_planar_def;
+
+packing_status packing_i_planar_create(packing_context *context,
+                                       const packing_i_domain_ops *ops, int dim,
+                                       const packing_i_planar_def *def,
+                                       packing_domain **domain);
+double packing_i_planar_signed_distance(const packing_i_domain_body *body,
+                                        const packing_vec3 *point, packing_vec3 *normal);
+int packing_i_planar_holds(const packing_i_domain_body *body, const packing_vec3 *centre,
+                           double r);
+packing_status packing_i_planar_inset(packing_context *context,
+                                      packing_i_domain_body *body, double d);
+int packing_i_planar_sphere_volume(const packing_i_domain_body *body,
+                                   const packing_vec3 *centre, double r, double tolerance,
+                                   double *volume, double *error);
+
+/* The part of a ball of radius r that a plane cuts off at the height h. */
+double packing_i_cap(int dim, double r, double h);
+
+/* What balls of radii p and q at distance d share. */
+double packing_i_lens(int dim, double p, double q, double d);
+
+/* The part of a ball round 0 within lo <= u <= hi (infinite entries are fine), and a bound of
+ * its error. */
+double packing_i_cut_planes(int dim, double r, const double lo[3], const double hi[3],
+                            double *error);
+
+/* Sets component `axis`. */
+static inline void packing_i_set_component(packing_vec3 *v, int axis, double value)
+{
+  *(axis == 0 ? &v->x : axis == 1 ? &v->y : &v->z) = value;
+}
+
+#endif

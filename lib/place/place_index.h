@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef PACKING_PLACE_INDEX_H
+#define PACKING_PLACE_INDEX_H
+
+/* A growing neighbour index for spheres of any sizes: one level of cells for each octave of
+ * radii below the largest (Krijgsman, Ogarko and Luding, Comput. Part. Mech. 1, 357, 2014). A
+ * level's cells are at least a largest diameter of the level wide, and no more than some for
+ * each particle expected, so memory goes with particles, not with volume. */
+
+#include "place_internal.h"
+
+enum { PACKING_I_INDEX_LEVELS = 24 };
+
+typedef struct packing_i_index_level {
+  double largest_r; /* of the particles in it so far */
+  packing_vec3 per_edge;
+  size_t n[3];
+  uint32_t *head; /* per cell: index + 1 of the first entry; NULL: nothing there yet */
+  size_t count;
+} packing_i_index_level;
+
+typedef struct packing_i_index_entry {
+  double x, y, z, r;
+  uint32_t next; /* index + 1 within the cell; 0: none */
+} packing_i_index_entry;
+
+typedef struct packing_i_index {
+  packing_context *context;
+  packing_vec3 lo, width, period;
+  double top_r; /* largest radius that can come */
+  size_t expected;
+  packing_i_index_level level[PACKING_I_INDEX_LEVELS];
+  packing_i_index_entry *entry;
+  size_t count;
+  size_t capacity;
+} packing_i_index;
+
+/* Covers the bounds of the domain. `top_r` bounds all radii; `expected` is about how many will
+ * come (0: unknown). Allocates nothing. */
+void packing_i_index_init(packing_i_index *index, packing_context *context,
+                          const packing_domain *domain, double top_r, size_t expected);
+void packing_i_index_release(packing_i_index *index);
+
+/* Makes room for one more particle of radius r. */
+packing_status packing_i_index_reserve(packing_i_index *index, double r);
+
+/* Adds a particle; room was reserved. Points outside the bounds are fine. */
+void packing_i_index_insert(packing_i_index *index, packing_vec3 p, double r);
+
+/* Whether a sphere would overlap none. */
+int packing_i_index_free(const packing_i_index *index, packing_vec3 p, double r);
+
+/* Adds all particles of the store, wrapped into the cell of the domain. */
+packing_status packing_i_index_add_store(packing_i_index *index,
+                                         const packing_domain *domain,
+                                         const packing_particles *store);
+
+#endif
