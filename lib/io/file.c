@@ -153,10 +153,11 @@ static void release(packing_file *f)
   packing_context_destroy(context);
 }
 
+/* A file without a descriptor yet; `out` is where the caller will put it. */
 static packing_status make(packing_context *context, const char *path,
-                           packing_file **file)
+                           packing_file *const *out, packing_file **file)
 {
-  if (path == NULL || file == NULL)
+  if (path == NULL || out == NULL)
     return packing_i_fail(context, PACKING_ERR_INVALID, path == NULL ? "path" : "file",
                           PACKING_NO_INDEX, "NULL");
   packing_file *f = packing_i_calloc(packing_i_allocator(context), 1, sizeof *f);
@@ -179,7 +180,7 @@ packing_status packing_file_open(packing_context *context, const char *path,
 {
   packing_file *f = NULL;
   struct stat s;
-  PACKING_I_TRY(make(context, path, &f));
+  PACKING_I_TRY(make(context, path, file, &f));
   f->stream.read = file_read;
   f->fd = open_again(path, O_RDONLY);
   int error = f->fd < 0 || fstat(f->fd, &s) != 0 ? errno : 0;
@@ -260,7 +261,7 @@ packing_status packing_file_create(packing_context *context, const char *path,
 {
   packing_file *f = NULL;
   int error = 0;
-  PACKING_I_TRY(make(context, path, &f));
+  PACKING_I_TRY(make(context, path, file, &f));
   packing_status status = start(f, &error);
   if (status == PACKING_OK && error == 0) {
     *file = f;

@@ -125,14 +125,14 @@ static int is_unset(const packing_bounds *b)
 static void widen(double *lo, double *hi, double centre, double r)
 {
   const double below = centre - r;
-  const double above = centre + r > centre ? centre + r : nextafter(centre, INFINITY);
+  const double above = centre + r > centre ? centre + r : nextafter(centre, HUGE_VAL);
   *lo = below < *lo ? below : *lo;
   *hi = above > *hi ? above : *hi;
 }
 
 static packing_bounds around(const packing_view *v)
 {
-  packing_bounds b = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  packing_bounds b = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
   for (size_t i = 0; i < v->count; i++) {
     const packing_vec3 p = packing_i_view_centre(v, i);
     const double r = packing_i_view_r(v, i);
