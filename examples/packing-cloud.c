@@ -387,7 +387,7 @@ static void fill_notes(const cloud *c, notes *all)
   notes_add(all, "stream", "%llu", (unsigned long long)o->stream);
   notes_add(all, "placed", "%s", packing_placer_state_name(c->placed.state));
   notes_add(all, "audit",
-            c->report.audit_passed ? "passed, limit %.17g" : "FAILED, limit %.17g",
+            c->report.audit_passed ? "passed, limit %g" : "FAILED, limit %g",
             o->max_overlap);
 }
 
