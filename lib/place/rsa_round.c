@@ -7,7 +7,7 @@ enum {
   COUNTS_A_UNIT = 1 << 16,
   DARTS_A_BLOCK = 1024,
   BLOCKS_A_UNIT = 16,
-  CANDIDATES_A_UNIT = 1 << 15,
+  CANDIDATES_A_UNIT = 1 << 14,
   CANDIDATES_A_BLOCK = 2048,
   PURPOSE_COUNT = 64, /* streams of our own beside PACKING_PURPOSE_POSITION */
   PURPOSE_TIME = 65
@@ -230,29 +230,45 @@ static packing_status link_step(packing_i_rsa_round *round,
   return PACKING_OK;
 }
 
-/* Whether an earlier candidate lies within a diameter; of those that are settled only the
- * accepted count. */
+/* Whether the candidates of a chain, which stand ahead of all else, have one within a diameter
+ * of p that is earlier than candidate i; of those that are settled only the accepted count. */
+static int chain_has_earlier(const packing_i_rsa_round *round,
+                             const packing_i_rsa_cells *cells, uint32_t head,
+                             packing_vec3 p, size_t i, int settling)
+{
+  const uint64_t time = round->candidate[i].time;
+  for (uint32_t at = head; at > round->base; at = cells->record[at - 1].next) {
+    const size_t j = at - 1 - round->base;
+    const packing_i_rsa_candidate *q = &round->candidate[j];
+    if (j == i || q->time > time || (q->time == time && j > i) ||
+        (settling && round->fate[j] != ACCEPTED))
+      continue;
+    const double dx = q->x - p.x, dy = q->y - p.y, dz = q->z - p.z;
+    if (dx * dx + dy * dy + dz * dz < cells->diameter2)
+      return 1;
+  }
+  return 0;
+}
+
 static int has_earlier(const packing_i_rsa_round *round, const packing_i_rsa_cells *cells,
                        size_t i, int settling)
 {
-  const packing_i_rsa_candidate *c = &round->candidate[i];
-  packing_i_rsa_near around[27];
-  const size_t n =
-      packing_i_rsa_cells_around(cells, cells->record[round->base + i].cell, around);
-  for (size_t k = 0; k < n; k++) {
-    const packing_vec3 p = packing_i_sub(place_of(round, i), around[k].shift);
-    for (uint32_t at = cells->head[around[k].cell]; at > round->base;
-         at = cells->record[at - 1].next) {
-      const size_t j = at - 1 - round->base;
-      const packing_i_rsa_candidate *q = &round->candidate[j];
-      if (j == i || q->time > c->time || (q->time == c->time && j > i) ||
-          (settling && round->fate[j] != ACCEPTED))
-        continue;
-      const double dx = q->x - p.x, dy = q->y - p.y, dz = q->z - p.z;
-      if (dx * dx + dy * dy + dz * dz < cells->diameter2)
+  const packing_vec3 p = place_of(round, i);
+  const uint32_t cell = cells->record[round->base + i].cell;
+  if (packing_i_rsa_cells_is_inner(cells, cell)) {
+    uint32_t list[28];
+    const size_t n = packing_i_rsa_cells_heads(cells, cell, (uint32_t)round->base, list);
+    for (size_t k = 0; k < n; k++)
+      if (chain_has_earlier(round, cells, list[k], p, i, settling))
         return 1;
-    }
+    return 0;
   }
+  packing_i_rsa_near around[27];
+  const size_t n = packing_i_rsa_cells_around(cells, cell, around);
+  for (size_t k = 0; k < n; k++)
+    if (chain_has_earlier(round, cells, cells->head[around[k].cell],
+                          packing_i_sub(p, around[k].shift), i, settling))
+      return 1;
   return 0;
 }
 
@@ -275,7 +291,7 @@ static void decide_step(packing_i_rsa_round *round, const packing_i_rsa_scene *s
                      decide_block, &task);
   round->at += task.count;
   if (round->at == round->candidates)
-    next_stage(round, PACKING_I_RSA_SETTLE);
+    next_stage(round, PACKING_I_RSA_SORT);
 }
 
 /* Sifts order[root] down a heap with the latest candidate on top. */
@@ -319,23 +335,42 @@ static size_t collect(packing_i_rsa_round *round, unsigned char fate)
   return count;
 }
 
-/* Settles the rest by time, takes all candidates out of the chains again, and refuses what comes
- * too late for `most`. */
-static void settle_step(packing_i_rsa_round *round, const packing_i_rsa_scene *scene,
-                        size_t most)
+/* Lists the unsettled by time. */
+static void sort_step(packing_i_rsa_round *round)
+{
+  round->unsettled = collect(round, UNSETTLED);
+  sort_by_time(round, round->unsettled);
+  next_stage(round, PACKING_I_RSA_SETTLE);
+}
+
+/* Settles the rest by time. */
+static void settle_step(packing_i_rsa_round *round, const packing_i_rsa_scene *scene)
+{
+  const size_t n = portion(round, round->unsettled, CANDIDATES_A_UNIT);
+  for (size_t k = 0; k < n; k++) {
+    const size_t i = round->order[round->at + k];
+    round->fate[i] = has_earlier(round, scene->cells, i, 1) ? REFUSED : ACCEPTED;
+  }
+  round->at += n;
+  if (round->at == round->unsettled)
+    next_stage(round, PACKING_I_RSA_UNLINK);
+}
+
+/* Takes all candidates out of the chains again, the last one first. */
+static void unlink_step(packing_i_rsa_round *round, const packing_i_rsa_scene *scene)
 {
   packing_i_rsa_cells *cells = scene->cells;
-  const size_t open = collect(round, UNSETTLED);
-  sort_by_time(round, open);
-  for (size_t k = 0; k < open; k++) {
-    const size_t i = round->order[k];
-    round->fate[i] = has_earlier(round, cells, i, 1) ? REFUSED : ACCEPTED;
-  }
   for (size_t i = round->candidates; i-- > 0;) {
     const packing_i_rsa_record *record = &cells->record[round->base + i];
     cells->head[record->cell] = record->next;
   }
   cells->count = round->base;
+  next_stage(round, PACKING_I_RSA_TRIM);
+}
+
+/* Refuses what comes too late for `most`. */
+static void trim_step(packing_i_rsa_round *round, size_t most)
+{
   round->accepted = collect(round, ACCEPTED);
   if (round->accepted > most) {
     sort_by_time(round, round->accepted);
@@ -377,8 +412,17 @@ packing_status packing_i_rsa_round_step(packing_i_rsa_round *round,
   case PACKING_I_RSA_DECIDE:
     decide_step(round, scene);
     break;
+  case PACKING_I_RSA_SORT:
+    sort_step(round);
+    break;
   case PACKING_I_RSA_SETTLE:
-    settle_step(round, scene, most);
+    settle_step(round, scene);
+    break;
+  case PACKING_I_RSA_UNLINK:
+    unlink_step(round, scene);
+    break;
+  case PACKING_I_RSA_TRIM:
+    trim_step(round, most);
     break;
   case PACKING_I_RSA_COMMIT:
     return commit_step(round, scene);
