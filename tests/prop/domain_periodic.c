@@ -38,7 +38,7 @@ static void separations_are_the_shortest_of_all_images(void **state)
       const packing_vec3 a = anywhere(&random, 5), b = anywhere(&random, 5);
       const packing_vec3 s = packing_domain_separation(domain, &a, &b);
       const packing_vec3 t = packing_domain_separation(domain, &b, &a);
-      double shortest = INFINITY;
+      double shortest = HUGE_VAL;
       const int reach[] = {periodic & 1 ? 6 : 0, periodic & 2 ? 6 : 0,
                            periodic & 4 ? 6 : 0};
       for (int x = -reach[0]; x <= reach[0]; x++)

@@ -59,7 +59,7 @@ static void touching_is_holding(void **state)
   assert_int_equal(packing_domain_holds(box, &middle, 0.5), 1);
   assert_int_equal(packing_domain_holds(box, &middle, nextafter(0.5, 1)), 0);
   assert_int_equal(packing_domain_holds(box, &lower, 0.5), 0);
-  const packing_vec3 nowhere = {NAN, 0.5, 0.5};
+  const packing_vec3 nowhere = {(double)NAN, 0.5, 0.5};
   packing_vec3 normal = {1, 2, 3};
   assert_int_equal(packing_domain_holds(box, &nowhere, 0.1), 0);
   assert_true(isnan(packing_domain_signed_distance(box, &nowhere, &normal)));
@@ -98,7 +98,7 @@ static void periodic_cells_have_no_walls(void **state)
   const packing_vec3 p = {17, -4, 0.25};
   packing_vec3 n = {1, 1, 1};
   assert_int_equal(packing_domain_periodic(cell), 7);
-  assert_true(packing_domain_signed_distance(cell, &p, &n) == INFINITY);
+  assert_true(packing_domain_signed_distance(cell, &p, &n) == HUGE_VAL);
   assert_true(n.x == 0 && n.y == 0 && n.z == 0);
   assert_int_equal(packing_domain_holds(cell, &p, 1e300), 1);
   double volume;
@@ -148,16 +148,16 @@ static void open_tops_only_cut(void **state)
 
 #define REFUSE_LENGTH(kind, member, field)                                               \
   do {                                                                                   \
-    REFUSE(kind, member, NAN, PACKING_ERR_INVALID, field);                               \
-    REFUSE(kind, member, INFINITY, PACKING_ERR_INVALID, field);                          \
+    REFUSE(kind, member, (double)NAN, PACKING_ERR_INVALID, field);                       \
+    REFUSE(kind, member, HUGE_VAL, PACKING_ERR_INVALID, field);                          \
     REFUSE(kind, member, -1.5, PACKING_ERR_RANGE, field);                                \
   } while (0)
 
 #define REFUSE_POINT(kind, member)                                                       \
   do {                                                                                   \
-    REFUSE(kind, member.x, NAN, PACKING_ERR_INVALID, #member ".x");                      \
-    REFUSE(kind, member.y, INFINITY, PACKING_ERR_INVALID, #member ".y");                 \
-    REFUSE(kind, member.z, -INFINITY, PACKING_ERR_INVALID, #member ".z");                \
+    REFUSE(kind, member.x, (double)NAN, PACKING_ERR_INVALID, #member ".x");              \
+    REFUSE(kind, member.y, HUGE_VAL, PACKING_ERR_INVALID, #member ".y");                 \
+    REFUSE(kind, member.z, -HUGE_VAL, PACKING_ERR_INVALID, #member ".z");                \
   } while (0)
 
 /* NULL, a size no struct ever had, and options of a library yet to come. */
@@ -322,7 +322,7 @@ static void insets_refuse(void **state)
   (void)state;
   packing_context *context = test_context(1, PACKING_ISA_AUTO);
   packing_domain *box = test_box(1, 1, 1, 0), *inset = NULL;
-  assert_fails(context, packing_domain_create_inset(context, box, NAN, &inset),
+  assert_fails(context, packing_domain_create_inset(context, box, (double)NAN, &inset),
                PACKING_ERR_INVALID, "distance");
   assert_fails(context, packing_domain_create_inset(context, box, -1, &inset),
                PACKING_ERR_RANGE, "distance");
@@ -341,7 +341,7 @@ static void cut_volumes_refuse(void **state)
 {
   (void)state;
   packing_domain *box = test_box(1, 1, 1, 0);
-  const packing_vec3 p = {0, 0, 0}, bad = {0, NAN, 0};
+  const packing_vec3 p = {0, 0, 0}, bad = {0, (double)NAN, 0};
   double v = 2.385, e = 2.385;
   assert_status(packing_domain_sphere_volume(NULL, &p, 1, 1e-9, &v, &e),
                 PACKING_ERR_INVALID);
@@ -351,9 +351,9 @@ static void cut_volumes_refuse(void **state)
                 PACKING_ERR_INVALID);
   assert_status(packing_domain_sphere_volume(box, &bad, 1, 1e-9, &v, &e),
                 PACKING_ERR_INVALID);
-  assert_status(packing_domain_sphere_volume(box, &p, NAN, 1e-9, &v, &e),
+  assert_status(packing_domain_sphere_volume(box, &p, (double)NAN, 1e-9, &v, &e),
                 PACKING_ERR_INVALID);
-  assert_status(packing_domain_sphere_volume(box, &p, 1, NAN, &v, &e),
+  assert_status(packing_domain_sphere_volume(box, &p, 1, (double)NAN, &v, &e),
                 PACKING_ERR_INVALID);
   assert_status(packing_domain_sphere_volume(box, &p, 0, 1e-9, &v, &e),
                 PACKING_ERR_RANGE);

@@ -15,7 +15,7 @@ static double twin_distance(void *user, const packing_vec3 *point, packing_vec3 
   twin *t = user;
   t->calls++;
   if (t->answer_nan != 0 && t->calls > (size_t)t->answer_nan)
-    return NAN;
+    return (double)NAN;
   return packing_domain_signed_distance(t->domain, point, normal);
 }
 
@@ -145,7 +145,7 @@ static double never_decided(void *user, const packing_vec3 *point, packing_vec3 
 {
   (void)user;
   if (normal != NULL)
-    *normal = (packing_vec3){NAN, 0, 0};
+    *normal = (packing_vec3){(double)NAN, 0, 0};
   const int64_t bits = (int64_t)(fabs(point->x + 3 * point->y + 7 * point->z) * 1e6);
   return bits % 2 ? 1e-12 : -1e-12;
 }
@@ -170,10 +170,10 @@ static void custom_refuses(void **state)
   REFUSE(struct_size, 8, PACKING_ERR_ABI, "struct_size");
   REFUSE(dim, 4, PACKING_ERR_RANGE, "dim");
   REFUSE(signed_distance, NULL, PACKING_ERR_INVALID, "signed_distance");
-  REFUSE(bounds.lo.x, NAN, PACKING_ERR_INVALID, "bounds.lo.x");
-  REFUSE(bounds.hi.y, INFINITY, PACKING_ERR_INVALID, "bounds.hi.y");
+  REFUSE(bounds.lo.x, (double)NAN, PACKING_ERR_INVALID, "bounds.lo.x");
+  REFUSE(bounds.hi.y, HUGE_VAL, PACKING_ERR_INVALID, "bounds.hi.y");
   REFUSE(bounds.hi.z, good.bounds.lo.z, PACKING_ERR_RANGE, "bounds.hi.z");
-  REFUSE(volume, NAN, PACKING_ERR_INVALID, "volume");
+  REFUSE(volume, (double)NAN, PACKING_ERR_INVALID, "volume");
   REFUSE(volume, -1, PACKING_ERR_RANGE, "volume");
   REFUSE(volume_tolerance, 0, PACKING_ERR_RANGE, "volume_tolerance");
   REFUSE(volume_tolerance, 1, PACKING_ERR_RANGE, "volume_tolerance");
