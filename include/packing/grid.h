@@ -48,7 +48,8 @@ static inline void packing_grid_def_init(packing_grid_def *def)
  *  \param view the particles: finite centres, radii > 0
  *  \param[out] grid the grid
  *  \return PACKING_OK; PACKING_ERR_INVALID, PACKING_ERR_RANGE (the message names the
- *          particle); PACKING_ERR_NOMEM. Linear time, 40 bytes a particle */
+ *          particle); PACKING_ERR_NOMEM. Linear time; 40 bytes a particle and 24 a row of
+ *          cells that is not empty */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_grid_create(
     packing_context *context, const packing_grid_def *def, packing_domain *domain,
     const packing_view *view, packing_grid **grid);
@@ -62,10 +63,12 @@ PACKING_API void packing_grid_destroy(packing_grid *grid);
  *  \param grid the grid
  *  \param point [L]
  *  \param reach >= 0 [L]
- *  \param[out] indices in rising order, at most `capacity`; may be NULL when that is 0
+ *  \param[out] indices in rising order, the lowest `capacity` of them; may be NULL when
+ *         that is 0
  *  \param capacity room in `indices`
  *  \param[out] count how many there are, even when they did not all fit
- *  \return PACKING_OK; PACKING_ERR_INVALID. Thread-safe */
+ *  \return PACKING_OK; PACKING_ERR_INVALID. Thread-safe, but for the message of a failure.
+ *          Allocates nothing */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_grid_near(const packing_grid *grid, const packing_vec3 *point, double reach,
                   size_t *indices, size_t capacity, size_t *count);
@@ -74,10 +77,12 @@ packing_grid_near(const packing_grid *grid, const packing_vec3 *point, double re
  *  r_i + r_j + gap).
  *  \param grid the grid
  *  \param gap any finite value; negative: only overlaps of that depth [L]
- *  \param[out] pairs sorted by (i, j), at most `capacity`; may be NULL when that is 0
+ *  \param[out] pairs sorted by (i, j), the first `capacity` of them; may be NULL when
+ *         that is 0
  *  \param capacity room in `pairs`
  *  \param[out] count how many there are, even when they did not all fit
- *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_NOMEM. Thread-safe. Linear time */
+ *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_NOMEM. Thread-safe where the
+ *          allocator is, but for the message of a failure. Linear time */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_grid_pairs(const packing_grid *grid, double gap, packing_pair *pairs,
                    size_t capacity, size_t *count);

@@ -37,3 +37,14 @@ packing_status packing_i_domain_check_open_top(packing_context *context, int ope
   return packing_i_fail(context, PACKING_ERR_RANGE, "open_top", PACKING_NO_INDEX,
                         "%d must be 0 or 1", open_top);
 }
+
+packing_status packing_i_domain_check_ring(packing_context *context, double inner,
+                                           double outer)
+{
+  PACKING_I_TRY(packing_i_check_positive(context, "inner_radius", inner));
+  PACKING_I_TRY(packing_i_check_positive(context, "outer_radius", outer));
+  if (inner < outer)
+    return PACKING_OK;
+  return packing_i_fail(context, PACKING_ERR_RANGE, "outer_radius", PACKING_NO_INDEX,
+                        "%g must be above inner_radius, %g", outer, inner);
+}

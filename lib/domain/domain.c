@@ -70,8 +70,8 @@ packing_status packing_domain_create_inset(packing_context *context,
                           "nothing is left of the %s at %g from its walls",
                           body.ops->name, distance);
   PACKING_I_TRY(make(context, &body, inset));
-  if (body.ops->keep != NULL)
-    body.ops->keep(&body);
+  if (body.ops->inherit != NULL)
+    body.ops->inherit(&(*inset)->body, domain);
   return PACKING_OK;
 }
 
@@ -103,6 +103,12 @@ void packing_domain_bounds(const packing_domain *domain, packing_bounds *bounds)
 double packing_domain_signed_distance(const packing_domain *domain,
                                       const packing_vec3 *point, packing_vec3 *normal)
 {
+  const double sum = point->x + point->y + point->z;
+  if (isnan(sum)) {
+    if (normal != NULL)
+      *normal = packing_i_vec(0, 0, 0);
+    return sum;
+  }
   return domain->body.ops->signed_distance(&domain->body, point, normal);
 }
 

@@ -3,7 +3,8 @@
 #define PACKING_DOMAIN_INTERNAL_H
 
 /* What a container is inside, and what placers and measures may use of it without a call
- * through a pointer: packing_i_domain_planar() and packing_i_domain_separation(). */
+ * through a pointer: packing_i_domain_planar(), packing_i_domain_axis() and
+ * packing_i_domain_separation(). */
 
 #include "base_internal.h"
 #include "vec.h"
@@ -28,7 +29,8 @@ typedef struct packing_i_domain_ops {
    * wholly inside nor wholly outside; -1 when the container misbehaves (custom only). */
   int (*sphere_volume)(const packing_i_domain_body *body, const packing_vec3 *centre,
                        double r, double tolerance, double *volume, double *error);
-  void (*keep)(const packing_i_domain_body *body);    /* NULL: nothing to share */
+  /* After *body was made as an inset of `from`: shares what they share. NULL: nothing. */
+  void (*inherit)(packing_i_domain_body *body, packing_domain *from);
   void (*release)(const packing_i_domain_body *body); /* NULL: nothing to release */
 } packing_i_domain_ops;
 
@@ -37,6 +39,42 @@ typedef struct packing_i_planar {
   double wall_lo[3], wall_hi[3]; /* walls */
   double cut_lo[3], cut_hi[3];   /* borders of the region: walls and the open top */
 } packing_i_planar;
+
+/* A straight wall of a body of revolution, in the half plane of rho (distance from the axis)
+ * and h (height above the base). */
+typedef struct packing_i_wall {
+  double a, b, c; /* distance from it, positive inside: a rho + b h + c, a a + b b = 1 */
+  double from,
+      to; /* its face: -c (a, b) + t (-b, a) with t in [from, to], maybe infinite */
+} packing_i_wall;
+
+enum { PACKING_I_WALLS = 4, PACKING_I_KNOTS = 8 };
+
+/* Cylinder, tube, cone and silo: a convex polygon turned about an axis. */
+typedef struct packing_i_revolution {
+  int axis, walls, knots;
+  packing_vec3 base;
+  packing_i_wall wall[PACKING_I_WALLS];
+  double open_height; /* of the open top; +infinity: none */
+  double
+      knot[PACKING_I_KNOTS]; /* heights where the region begins, bends and ends, rising */
+} packing_i_revolution;
+
+/* Sphere, circle and annulus. */
+typedef struct packing_i_round {
+  packing_vec3 centre;
+  double outer, inner; /* inner 0: no inner wall */
+} packing_i_round;
+
+/* The user's functions. */
+typedef struct packing_i_custom {
+  double (*signed_distance)(void *user, const packing_vec3 *point, packing_vec3 *normal);
+  void (*release)(void *user);
+  void *user;
+  double volume_tolerance;
+  double inset;         /* taken off the distance */
+  packing_domain *root; /* of an inset: the domain that owns the user's data; else NULL */
+} packing_i_custom;
 
 struct packing_i_domain_body {
   const packing_i_domain_ops *ops;
@@ -48,6 +86,9 @@ struct packing_i_domain_body {
   packing_vec3 period;   /* size of the cell; +infinity where not periodic */
   union {
     packing_i_planar planar;
+    packing_i_revolution revolution;
+    packing_i_round round;
+    packing_i_custom custom;
   } as;
 };
 
@@ -60,6 +101,9 @@ struct packing_domain {
 /* The walls of a box or rectangle, else NULL. A loop over many points then needs no call:
  * a ball is held where x - wall_lo[k] >= r and wall_hi[k] - x >= r for all k. */
 const packing_i_planar *packing_i_domain_planar(const packing_domain *domain);
+
+/* The axis of a cylinder, tube, cone or silo (a packing_axis), else -1. */
+int packing_i_domain_axis(const packing_domain *domain);
 
 /* One component of a separation. The difference is exact for neighbours in a cell; on a tie
  * the shorter way round is the direct one. Odd: swapping the ends changes the sign alone. */

@@ -27,6 +27,9 @@ packing_status packing_i_domain_check_flat(packing_context *context, const char 
                                            double z);
 packing_status packing_i_domain_check_open_top(packing_context *context, int open_top);
 
+packing_status packing_i_domain_check_ring(packing_context *context, double inner,
+                                           double outer);
+
 /* Box and rectangle: intervals along `dim` axes. */
 typedef struct packing_i_planar_def {
   packing_vec3 size;
@@ -60,6 +63,60 @@ double packing_i_lens(int dim, double p, double q, double d);
  * its error. */
 double packing_i_cut_planes(int dim, double r, const double lo[3], const double hi[3],
                             double *error);
+
+/* Cylinder, tube, cone and silo: the polygon's corners, counter-clockwise in (rho, h) and
+ * beginning at the bottom; corners in one place are fine, the axis is no wall. */
+typedef struct packing_i_revolution_def {
+  packing_vec3 base;
+  packing_axis axis;
+  int open_top; /* the wall at `height` is left out */
+  double height;
+  int corners;
+  double rho[PACKING_I_WALLS + 1], h[PACKING_I_WALLS + 1];
+} packing_i_revolution_def;
+
+packing_status packing_i_revolution_create(packing_context *context,
+                                           const packing_i_domain_ops *ops,
+                                           const packing_i_revolution_def *def,
+                                           packing_domain **domain);
+double packing_i_revolution_signed_distance(const packing_i_domain_body *body,
+                                            const packing_vec3 *point,
+                                            packing_vec3 *normal);
+int packing_i_revolution_holds(const packing_i_domain_body *body,
+                               const packing_vec3 *centre, double r);
+packing_status packing_i_revolution_inset(packing_context *context,
+                                          packing_i_domain_body *body, double d);
+int packing_i_revolution_sphere_volume(const packing_i_domain_body *body,
+                                       const packing_vec3 *centre, double r,
+                                       double tolerance, double *volume, double *error);
+
+/* Radii of the slice at a height within the region. */
+double packing_i_revolution_outer(const packing_i_revolution *p, double h);
+double packing_i_revolution_inner(const packing_i_revolution *p, double h);
+
+/* rho and h of a point, and the direction of rho (an axis where rho is 0). */
+void packing_i_revolution_local(const packing_i_revolution *p, const packing_vec3 *point,
+                                double *rho, double *h, packing_vec3 *radial);
+
+/* Sphere, circle and annulus. */
+packing_status packing_i_round_create(packing_context *context,
+                                      const packing_i_domain_ops *ops, int dim,
+                                      const packing_i_round *def,
+                                      packing_domain **domain);
+double packing_i_round_signed_distance(const packing_i_domain_body *body,
+                                       const packing_vec3 *point, packing_vec3 *normal);
+packing_status packing_i_round_inset(packing_context *context,
+                                     packing_i_domain_body *body, double d);
+int packing_i_round_sphere_volume(const packing_i_domain_body *body,
+                                  const packing_vec3 *centre, double r, double tolerance,
+                                  double *volume, double *error);
+
+/* The volume of the points with a distance >= 0 within the bounds and, when r > 0, within a
+ * ball, by subdivision until the estimated error is at most `tolerance` [L^dim] or `calls`
+ * distances were asked for. -1: a distance was no number. */
+int packing_i_subdivide(const packing_i_domain_body *body, const packing_vec3 *centre,
+                        double r, double tolerance, size_t calls, double *volume,
+                        double *error);
 
 /* Sets component `axis`. */
 static inline void packing_i_set_component(packing_vec3 *v, int axis, double value)

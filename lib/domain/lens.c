@@ -26,7 +26,7 @@ double packing_i_cap(int dim, double r, double h)
     return packing_i_ball_volume(dim, r);
   if (dim == 3)
     return PACKING_I_PI / 3 * h * h * (3 * r - h);
-  return 0.5 * r * r * minus_sin(4 * atan2(sqrt(h), sqrt(2 * r - h)));
+  return 0.5 * r * r * minus_sin(4 * atan(sqrt(h / (2 * r - h))));
 }
 
 double packing_i_lens(int dim, double p, double q, double d)

@@ -33,7 +33,8 @@ static int fits(const packing_placer *placer, const packing_i_lattice *lattice,
   const double room = packing_domain_signed_distance(placer->domain, &site, NULL);
   if (room < r - touching * lattice->spacing_r)
     return 0;
-  return !lattice->obstacles || packing_i_index_free(&lattice->index, site, r * (1 - touching));
+  return !lattice->obstacles ||
+         packing_i_index_free(&lattice->index, site, r * (1 - touching));
 }
 
 /* Fills the next site, if it can take a particle. */

@@ -20,17 +20,25 @@ typedef struct room {
   double height;
   packing_vec3 foot; /* axis at the bottom */
   int dim;
-} room;
+} free_room;
+
+/* Halfway up an edge of its bounds along z one is outside a cylinder along z only. */
+static int is_upright_cylinder(const packing_domain *domain, const packing_bounds *b)
+{
+  if (strcmp(packing_domain_kind(domain), "cylinder") != 0)
+    return 0;
+  const packing_vec3 edge = {b->lo.x, b->lo.y, 0.5 * (b->lo.z + b->hi.z)};
+  return packing_domain_signed_distance(domain, &edge, NULL) < -0.1 * (b->hi.x - b->lo.x);
+}
 
 /* Box, rectangle, and cylinder along z. */
-static packing_status find_room(const packing_placer *placer, room *out)
+static packing_status find_room(const packing_placer *placer, free_room *out)
 {
   const packing_domain *domain = placer->domain;
   packing_bounds b;
   packing_domain_bounds(domain, &b);
   const int dim = packing_domain_dim(domain);
-  const int cylinder = strcmp(packing_domain_kind(domain), "cylinder") == 0 &&
-                       packing_i_domain_axis(domain) == PACKING_AXIS_Z;
+  const int cylinder = is_upright_cylinder(domain, &b);
   if (packing_i_domain_planar(domain) == NULL && !cylinder)
     return packing_i_fail(placer->context, PACKING_ERR_UNSUPPORTED, "kind",
                           PACKING_NO_INDEX,
@@ -51,14 +59,14 @@ static double cells_across(double width, double l)
 }
 
 /* Cells of edge l a layer. */
-static double cells_a_layer(const room *room, double l)
+static double cells_a_layer(const free_room *room, double l)
 {
   const double kx = cells_across(room->width[0], l);
   return room->dim == 2 ? kx : kx * cells_across(room->width[1], l);
 }
 
 /* The largest l with at least `cells` cells a layer. */
-static double edge_for(const room *room, double cells)
+static double edge_for(const free_room *room, double cells)
 {
   double i = 1, j = 1;
   if (room->dim == 2)
@@ -78,7 +86,7 @@ static double edge_for(const room *room, double cells)
 
 /* The largest l with which `count` cells fit under the height: with m layers it is the smaller
  * of height / m (falling in m) and edge_for(count / m) (rising in m). */
-static double largest_edge(const room *room, double count)
+static double largest_edge(const free_room *room, double count)
 {
   double few = 1, many = count, best = 0;
   while (few <= many) {
@@ -102,7 +110,7 @@ packing_status packing_i_cells_start(packing_placer *placer, packing_i_lattice *
   packing_context *context = placer->context;
   const double least = 2 * packing_psd_max_r(placer->psd);
   const double count = (double)lattice->count;
-  room in;
+  free_room in = {{0, 0}, 0, {0, 0, 0}, 0};
   PACKING_I_TRY(find_room(placer, &in));
   if (lattice->count == 0)
     return packing_i_fail(context, PACKING_ERR_RANGE, "count", PACKING_NO_INDEX,

@@ -3,37 +3,38 @@
  *
  * First darts uniform over the region of centres, tested against the cells around. When few
  * still hit, darts uniform over the voxels that no single exclusion ball covers: refusals are
- * only left out, so the law of the process is untouched. After as many darts as there are voxels
- * these are halved and culled against the particles that stand by then.
- * Cost: linear in N up to saturation.
+ * only left out, so the law of the process is untouched. Once as many darts as there are voxels
+ * have been thrown, these are halved and culled against the particles that stand by then.
+ * Darts go in rounds (rsa_round.h). Cost: linear in N up to saturation.
  * Seed 000, section 2, step 2; Zhang and Torquato, Phys. Rev. E 88, 053312 (2013). */
-#include "rsa_internal.h"
+#include "rsa_round.h"
 #include "rsa_voxels.h"
 
 enum {
-  DARTS_A_UNIT = 8192,
-  BATCH = 16,       /* darts drawn ahead, so that their cells are fetched meanwhile */
-  WINDOW = 1 << 16, /* darts over which hits are counted */
-  FEW = 16,         /* voxels from here on: fewer than one hit in so many darts */
-  STILL_MANY = 4    /* no split while one in so many hits */
+  FEW = 8,        /* voxels from here on: fewer than one hit in so many darts */
+  STILL_MANY = 2, /* no split while one in so many hits */
+  CELLS_A_HIT =
+      20, /* a round aims at one hit in so many cells: few of its darts then meet */
+  MOST_HITS =
+      1 << 18, /* and at no more than this, so that each stage of it stays short */
+  MOST_DARTS = 1 << 21,
+  LEAST_DARTS = 16,
+  VOXELS_A_BIN = 64
 };
 
 typedef enum equal_phase { DARTS, SPLIT, VOXELS } equal_phase;
 
 typedef struct equal {
   packing_i_rsa_goal goal;
-  packing_i_stream stream;
   packing_i_rsa_cells cells;
   packing_i_rsa_voxels voxels;
   packing_i_rsa_space space;
-  double r;
+  packing_i_rsa_round round;
+  packing_i_rsa_scene scene;
   double ball;
-  size_t component;
+  double hit_rate; /* of the last round */
+  size_t thrown;   /* darts since the last split */
   equal_phase phase;
-  size_t darts; /* in the window or round */
-  size_t hits;
-  packing_vec3 ahead[BATCH];
-  unsigned next_ahead;
 } equal;
 
 /* Keeps a coordinate in [lo, lo + period) after rounding. */
@@ -48,115 +49,117 @@ static packing_vec3 keep_point(const packing_i_rsa_cells *c, packing_vec3 p)
                        keep(p.z, c->lo.z, c->period.z));
 }
 
-/* Three numbers in [0, 1); two dimensions take two. */
-static packing_vec3 draw_unit(equal *e)
+/* Three numbers in [0, 1) of 40 bits each. */
+static packing_vec3 unit_point(const uint32_t random[4])
 {
-  const double x = packing_i_stream_uniform(&e->stream);
-  const double y = packing_i_stream_uniform(&e->stream);
-  return packing_i_vec(x, y,
-                       e->space.dim == 2 ? 0 : packing_i_stream_uniform(&e->stream));
+  const uint32_t low = random[3];
+  return packing_i_vec(((double)random[0] + (double)(low & 255U) * 0x1p-8) * 0x1p-32,
+                       ((double)random[1] + (double)(low >> 8 & 255U) * 0x1p-8) * 0x1p-32,
+                       ((double)random[2] + (double)(low >> 16 & 255U) * 0x1p-8) *
+                           0x1p-32);
 }
 
-/* Fetches the heads of the nine rows of cells around a point. */
-static void fetch_around(const packing_i_rsa_cells *c, packing_vec3 p)
+/* Bins of the first phase: rows of cells along x. */
+static int row_point(const void *user, size_t bin, const uint32_t random[4],
+                     packing_vec3 *point)
 {
-  const int64_t row = c->n[0], layer = (int64_t)c->n[0] * c->n[1];
-  const uint32_t *head = c->head + packing_i_rsa_cell_of(c, p);
-  for (int64_t k = -1; k <= 1; k++)
-    for (int64_t j = -1; j <= 1; j++)
-      __builtin_prefetch(
-          (const void *)((uintptr_t)head + (uintptr_t)((k * layer + j * row) * 4)));
+  const packing_i_rsa_cells *c = &((const equal *)user)->cells;
+  const packing_vec3 u = unit_point(random);
+  const double y = (double)(bin % c->n[1]) + u.y, z = (double)(bin / c->n[1]) + u.z;
+  *point = keep_point(c, packing_i_vec(c->lo.x + u.x * c->width.x,
+                                       c->lo.y + y * c->edge.y, c->lo.z + z * c->edge.z));
+  return 1;
 }
 
-static packing_vec3 next_dart(equal *e)
+/* Bins of the second: 64 voxels next to one another in the list; the last one is filled up with
+ * voxels that are not there. */
+static int voxel_point(const void *user, size_t bin, const uint32_t random[4],
+                       packing_vec3 *point)
 {
-  const packing_i_rsa_cells *c = &e->cells;
-  if (e->next_ahead == BATCH) {
-    for (unsigned i = 0; i < BATCH; i++) {
-      const packing_vec3 u = draw_unit(e);
-      e->ahead[i] = keep_point(c, packing_i_vec(c->lo.x + u.x * c->width.x,
-                                                c->lo.y + u.y * c->width.y,
-                                                c->lo.z + u.z * c->width.z));
-      fetch_around(c, e->ahead[i]);
-    }
-    e->next_ahead = 0;
+  const equal *e = user;
+  const size_t i = bin * VOXELS_A_BIN + (random[3] >> 24) % VOXELS_A_BIN;
+  if (i >= e->voxels.live.count)
+    return 0;
+  *point = keep_point(
+      &e->cells, packing_i_rsa_voxel_point(&e->voxels, &e->cells,
+                                           packing_i_rsa_voxel_at(&e->voxels.live, i),
+                                           unit_point(random)));
+  return 1;
+}
+
+/* Particles that may still be added. */
+static size_t still_wanted(const packing_placer *placer, const equal *e)
+{
+  size_t most = SIZE_MAX;
+  if (e->goal.count != 0)
+    most = e->goal.count - placer->tally.placed;
+  if (e->goal.solid_volume > 0) {
+    const double left =
+        (e->goal.solid_volume - placer->tally.solid_volume) / e->ball + 0.5;
+    const size_t whole = left < 1 ? 0 : left < 1e18 ? (size_t)left : SIZE_MAX;
+    if (whole < most)
+      most = whole;
   }
-  return e->ahead[e->next_ahead++];
+  return most;
 }
 
-static packing_vec3 next_voxel_dart(equal *e)
+static double limited(double value, double least, double most)
 {
-  const size_t i = packing_i_stream_below(&e->stream, e->voxels.live.count);
-  const packing_vec3 u = draw_unit(e);
-  return keep_point(&e->cells, packing_i_rsa_voxel_point(
-                                   &e->voxels, &e->cells,
-                                   packing_i_rsa_voxel_at(&e->voxels.live, i), u));
+  return value < least ? least : value > most ? most : value;
 }
 
-/* Room for one more particle, taken before its dart is drawn: a step that runs out of memory can
- * be repeated. */
-static packing_status reserve_one(packing_placer *placer, equal *e)
+/* Darts for a round that should hit as often as is asked for and good for it. */
+static size_t darts_of_round(const packing_placer *placer, const equal *e)
 {
-  packing_particles *store = placer->particles;
-  if (store->count == store->capacity)
-    PACKING_I_TRY(
-        packing_particles_reserve(store, store->count + store->count / 2 + 256));
-  return packing_i_rsa_cells_reserve(&e->cells, placer->context, e->cells.count + 1);
+  const double cells = (double)e->cells.n[0] * e->cells.n[1] * e->cells.n[2];
+  const double wanted = 1.05 * (double)still_wanted(placer, e);
+  double hits = limited(cells / CELLS_A_HIT, 1, MOST_HITS);
+  if (wanted < hits)
+    hits = wanted;
+  return (size_t)limited(hits / e->hit_rate, LEAST_DARTS, MOST_DARTS);
 }
 
-/* Tries a centre. */
-static packing_status try_dart(packing_placer *placer, equal *e, packing_vec3 p)
+static packing_status begin_round(packing_placer *placer, equal *e)
 {
-  placer->tally.attempts++;
-  e->darts++;
-  if (!e->space.boxlike && !packing_domain_holds(placer->domain, &p, e->r))
-    return PACKING_OK;
-  if (!packing_i_rsa_cells_free(&e->cells, p))
-    return PACKING_OK;
-  e->hits++;
-  packing_i_rsa_cells_insert(&e->cells, p);
-  return packing_i_placer_put(placer, p, e->r, e->component);
-}
-
-static int wants_more(packing_placer *placer, const equal *e)
-{
-  if (packing_i_rsa_wants(&e->goal, &placer->tally, e->ball))
-    return 1;
-  placer->tally.state = PACKING_PLACER_DONE;
-  return 0;
-}
-
-static packing_status throw_darts(packing_placer *placer, equal *e)
-{
-  for (size_t i = 0; i < DARTS_A_UNIT && wants_more(placer, e); i++) {
-    if (e->darts == WINDOW) {
-      if (e->hits < WINDOW / FEW) {
-        PACKING_I_TRY(packing_i_rsa_voxels_init(&e->voxels, &e->space));
-        e->phase = SPLIT;
-        return PACKING_OK;
-      }
-      e->darts = e->hits = 0;
-    }
-    PACKING_I_TRY(reserve_one(placer, e));
-    PACKING_I_TRY(try_dart(placer, e, next_dart(e)));
+  size_t darts = darts_of_round(placer, e), bins = (size_t)e->cells.n[1] * e->cells.n[2];
+  if (e->phase == VOXELS) {
+    const size_t live = e->voxels.live.count;
+    bins = (live + VOXELS_A_BIN - 1) / VOXELS_A_BIN;
+    if (darts > live)
+      darts = live < LEAST_DARTS ? LEAST_DARTS : live;
   }
+  e->scene.target.point = e->phase == VOXELS ? voxel_point : row_point;
+  return packing_i_rsa_round_begin(&e->round, placer->context, darts, bins);
+}
+
+/* What comes after a round: another one, or a split of the voxels. */
+static packing_status round_over(packing_placer *placer, equal *e)
+{
+  const double rate = (double)e->round.accepted / (double)e->round.darts;
+  if (e->phase == DARTS && rate * FEW < 1) {
+    PACKING_I_TRY(packing_i_rsa_voxels_init(&e->voxels, &e->space));
+    e->phase = SPLIT;
+  } else if (e->phase == VOXELS && rate * STILL_MANY < 1 &&
+             e->thrown + e->round.darts >= e->voxels.live.count) {
+    packing_i_rsa_voxels_begin_split(&e->voxels);
+    e->phase = SPLIT;
+  }
+  placer->tally.attempts += e->round.darts;
+  e->thrown += e->round.darts;
+  e->hit_rate = limited(rate, 1.0 / 64, 1);
+  e->round.darts = 0;
   return PACKING_OK;
 }
 
-static packing_status throw_voxel_darts(packing_placer *placer, equal *e)
+static packing_status throw_some(packing_placer *placer, equal *e)
 {
-  for (size_t i = 0; i < DARTS_A_UNIT && wants_more(placer, e); i++) {
-    if (e->darts >= e->voxels.live.count) {
-      if (e->hits < e->darts / STILL_MANY) {
-        packing_i_rsa_voxels_begin_split(&e->voxels);
-        e->phase = SPLIT;
-        return PACKING_OK;
-      }
-      e->darts = e->hits = 0;
-    }
-    PACKING_I_TRY(reserve_one(placer, e));
-    PACKING_I_TRY(try_dart(placer, e, next_voxel_dart(e)));
-  }
+  if (e->round.stage != PACKING_I_RSA_IDLE)
+    return packing_i_rsa_round_step(&e->round, &e->scene, still_wanted(placer, e));
+  if (e->round.darts > 0)
+    return round_over(placer, e);
+  if (still_wanted(placer, e) > 0)
+    return begin_round(placer, e);
+  placer->tally.state = PACKING_PLACER_DONE;
   return PACKING_OK;
 }
 
@@ -167,32 +170,28 @@ static packing_status split_some(packing_placer *placer, equal *e)
   if (!done)
     return PACKING_OK;
   e->phase = VOXELS;
-  e->darts = e->hits = 0;
+  e->thrown = 0;
+  e->hit_rate = 0.25;
   if (e->voxels.live.count == 0 || e->voxels.level > PACKING_I_VOXEL_DEEPEST)
     placer->tally.state = PACKING_PLACER_SATURATED;
   return PACKING_OK;
+}
+
+static double progress_of(const packing_placer *placer, const equal *e)
+{
+  const double limit =
+      e->space.dim == 2 ? PACKING_I_RSA_SATURATION_2D : PACKING_I_RSA_SATURATION_3D;
+  const double full = placer->tally.volume_fraction / limit;
+  const double asked = packing_i_rsa_progress(&e->goal, &placer->tally);
+  return asked > full ? asked : limited(full, 0, 1);
 }
 
 static packing_status equal_step(packing_placer *placer, size_t budget)
 {
   equal *e = placer->method;
   for (; budget > 0 && placer->tally.state == PACKING_PLACER_RUNNING; budget--)
-    switch (e->phase) {
-    case DARTS:
-      PACKING_I_TRY(throw_darts(placer, e));
-      break;
-    case SPLIT:
-      PACKING_I_TRY(split_some(placer, e));
-      break;
-    case VOXELS:
-      PACKING_I_TRY(throw_voxel_darts(placer, e));
-      break;
-    }
-  const double limit =
-      e->space.dim == 2 ? PACKING_I_RSA_SATURATION_2D : PACKING_I_RSA_SATURATION_3D;
-  const double full = placer->tally.volume_fraction / limit;
-  const double asked = packing_i_rsa_progress(&e->goal, &placer->tally);
-  placer->tally.progress = asked > full ? asked : full < 1 ? full : 1;
+    PACKING_I_TRY(e->phase == SPLIT ? split_some(placer, e) : throw_some(placer, e));
+  placer->tally.progress = progress_of(placer, e);
   return PACKING_OK;
 }
 
@@ -201,19 +200,15 @@ static void equal_release(packing_placer *placer)
   equal *e = placer->method;
   packing_i_rsa_cells_release(&e->cells, placer->context);
   packing_i_rsa_voxels_release(&e->voxels, placer->context);
+  packing_i_rsa_round_release(&e->round, placer->context);
   packing_i_free(packing_i_allocator(placer->context), e);
 }
 
 /* Particles expected at the end; 0 where only saturation ends it. */
 static size_t expected_count(const packing_placer *placer, const equal *e)
 {
-  size_t count = e->goal.count;
-  if (e->goal.solid_volume > 0) {
-    const double by_volume = e->goal.solid_volume / e->ball + 1;
-    if (count == 0 || by_volume < (double)count)
-      count = by_volume < 4e9 ? (size_t)by_volume : 0;
-  }
-  return count == 0 ? 0 : count + placer->particles->count;
+  const size_t wanted = still_wanted(placer, e);
+  return wanted > UINT32_MAX ? 0 : wanted + placer->particles->count;
 }
 
 /* Whether a particle of the store can touch one whose centre lies in the region. */
@@ -249,21 +244,19 @@ packing_status packing_i_rsa_equal_start(packing_placer *placer,
   if (e == NULL)
     return packing_i_nomem(context);
   placer->method = e;
+  const double r = packing_psd_max_r(placer->psd);
+  const int boxlike = packing_i_domain_planar(placer->domain) != NULL;
   e->goal = *goal;
-  e->r = packing_psd_max_r(placer->psd);
-  e->ball = packing_i_ball_volume(placer->particles->dim, e->r);
-  e->next_ahead = BATCH;
+  e->ball = packing_i_ball_volume(placer->particles->dim, r);
+  e->hit_rate = 1;
   e->phase = DARTS;
-  packing_i_stream_open(&e->stream, def->seed, def->stream, PACKING_PURPOSE_POSITION, 0);
+  PACKING_I_TRY(packing_i_rsa_round_init(&e->round, context, def->seed, def->stream));
   const size_t expected = expected_count(placer, e);
   PACKING_I_TRY(
-      packing_i_rsa_cells_init(&e->cells, context, placer->domain, e->r, expected));
-  e->space = (packing_i_rsa_space){&e->cells,
-                                   placer->domain,
-                                   e->r,
-                                   placer->particles->dim,
-                                   packing_i_domain_planar(placer->domain) != NULL,
-                                   context};
+      packing_i_rsa_cells_init(&e->cells, context, placer->domain, r, expected));
+  e->space = (packing_i_rsa_space){&e->cells, placer->domain, r, placer->particles->dim,
+                                   boxlike,   context};
+  e->scene = (packing_i_rsa_scene){placer, &e->cells, r, boxlike, {row_point, e}};
   if (expected > 0) {
     PACKING_I_TRY(packing_particles_reserve(placer->particles, expected));
     PACKING_I_TRY(packing_i_rsa_cells_reserve(&e->cells, context, expected));

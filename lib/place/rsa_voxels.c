@@ -206,6 +206,7 @@ static void split_block(void *arg, size_t block)
   const size_t to =
       from + PARENTS_A_TASK < task->count ? from + PARENTS_A_TASK : task->count;
   near_centres near;
+  near.count = 0;
   uint32_t gathered = UINT32_MAX;
   for (size_t i = from; i < to; i++) {
     const packing_i_rsa_voxel parent = parent_at(voxels, task->first + i);

@@ -17,8 +17,8 @@ static double quantile(const packing_psd *psd, packing_by by, double p)
   return psd->max_x;
 }
 
-static const packing_i_psd_ops mono = {
-    "mono", "one size", cdf, quantile, packing_i_psd_draw_inverse, NULL};
+static const packing_i_psd_ops ops = {
+    "mono", "one radius", cdf, quantile, packing_i_psd_point, 1, NULL};
 
 void packing_psd_mono_def_fill(packing_psd_mono_def *def, size_t size)
 {
@@ -37,7 +37,7 @@ packing_status packing_psd_create_mono(packing_context *context,
   PACKING_I_TRY(packing_i_psd_check_measure(context, d.by, d.dim));
   PACKING_I_TRY(packing_i_check_positive(context, "r", d.r));
   PACKING_I_TRY(packing_i_psd_check_span(context, "r", d.r, d.r));
-  packing_psd *p = packing_i_psd_new(context, &mono, sizeof *p, d.by, d.dim, d.r, d.r);
+  packing_psd *p = packing_i_psd_new(context, &ops, sizeof *p, d.by, d.dim, d.r, d.r);
   if (p == NULL)
     return PACKING_ERR_NOMEM;
   for (int n = 0; n < PACKING_I_PSD_MOMENTS; n++)

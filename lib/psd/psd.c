@@ -1,58 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What all size distributions share: holds, limits, and the questions asked of them. */
+/* What all size distributions share: holds, and the questions asked of them. */
 #include "psd_internal.h"
 #include <math.h>
-
-/* Radii between these, and not farther apart than this, keep every moment of -6 .. 9 within
- * the range of doubles. */
-static const double least_r = 1e-200, most_r = 1e200, least_ratio = 1e-30;
-
-packing_status packing_i_psd_check_arguments(packing_context *context, const void *def,
-                                             packing_psd **psd)
-{
-  if (def == NULL)
-    return packing_i_fail(context, PACKING_ERR_INVALID, "def", PACKING_NO_INDEX, "NULL");
-  if (psd == NULL)
-    return packing_i_fail(context, PACKING_ERR_INVALID, "psd", PACKING_NO_INDEX, "NULL");
-  return PACKING_OK;
-}
-
-packing_status packing_i_psd_check_measure(packing_context *context, packing_by by,
-                                           int dim)
-{
-  if (by != PACKING_BY_NUMBER && by != PACKING_BY_MASS)
-    return packing_i_fail(context, PACKING_ERR_RANGE, "by", PACKING_NO_INDEX,
-                          "%d is neither number nor mass", (int)by);
-  if (dim != 2 && dim != 3)
-    return packing_i_fail(context, PACKING_ERR_RANGE, "dim", PACKING_NO_INDEX,
-                          "%d is neither 2 nor 3", dim);
-  return PACKING_OK;
-}
-
-packing_status packing_i_psd_check_span(packing_context *context, const char *field,
-                                        double min_r, double max_r)
-{
-  if (min_r < least_r || max_r > most_r)
-    return packing_i_fail(context, PACKING_ERR_RANGE, field, PACKING_NO_INDEX,
-                          "%g is not between %g and %g", min_r < least_r ? min_r : max_r,
-                          least_r, most_r);
-  if (min_r / max_r < least_ratio)
-    return packing_i_fail(context, PACKING_ERR_RANGE, field, PACKING_NO_INDEX,
-                          "sizes from %g to %g span more than 1:%g", min_r, max_r,
-                          1 / least_ratio);
-  return PACKING_OK;
-}
-
-packing_status packing_i_psd_check_cut(packing_context *context, double min_r,
-                                       double max_r)
-{
-  PACKING_I_TRY(packing_i_check_positive(context, "min_r", min_r));
-  PACKING_I_TRY(packing_i_check_positive(context, "max_r", max_r));
-  if (max_r <= min_r)
-    return packing_i_fail(context, PACKING_ERR_RANGE, "max_r", PACKING_NO_INDEX,
-                          "%g must be above min_r = %g", max_r, min_r);
-  return packing_i_psd_check_span(context, "min_r", min_r, max_r);
-}
 
 packing_psd *packing_i_psd_new(packing_context *context, const packing_i_psd_ops *ops,
                                size_t size, packing_by by, int dim, double min_r,
@@ -160,19 +109,43 @@ double packing_psd_quantile(const packing_psd *psd, packing_by by, double p)
   return clamp(psd, psd->ops->quantile(psd, by, p));
 }
 
-double packing_i_psd_draw_inverse(const packing_psd *psd, packing_i_stream *stream,
-                                  size_t *component)
+double packing_i_psd_point(const packing_psd *psd, packing_by by, double u, double v,
+                           size_t *component)
 {
+  (void)v;
   *component = 0;
-  return psd->ops->quantile(psd, PACKING_BY_NUMBER,
-                            packing_i_stream_uniform_open(stream));
+  return psd->ops->quantile(psd, by, u);
+}
+
+double packing_i_psd_radius(const packing_psd *psd, packing_by by, double u, double v,
+                            size_t *component)
+{
+  return clamp(psd, psd->ops->point(psd, by, u, v, component));
+}
+
+double packing_i_psd_bisect(const packing_psd *psd, packing_by by, double p)
+{
+  double lo = psd->min_x, hi = psd->max_x;
+  if (psd->ops->cdf(psd, by, lo) >= p)
+    return lo;
+  for (;;) {
+    const double middle = hi > 2 * lo ? sqrt(lo * hi) : lo + (hi - lo) / 2;
+    if (!(lo < middle && middle < hi))
+      return hi;
+    if (psd->ops->cdf(psd, by, middle) < p)
+      lo = middle;
+    else
+      hi = middle;
+  }
 }
 
 double packing_i_psd_draw(const packing_psd *psd, packing_i_stream *stream,
                           size_t *component)
 {
-  size_t part = 0;
-  const double r = clamp(psd, psd->ops->draw(psd, stream, &part));
+  size_t part;
+  const double u = packing_i_stream_uniform_open(stream);
+  const double v = psd->ops->numbers > 1 ? packing_i_stream_uniform_open(stream) : 0.5;
+  const double r = packing_i_psd_radius(psd, PACKING_BY_NUMBER, u, v, &part);
   if (component != NULL)
     *component = part;
   return r;

@@ -21,13 +21,17 @@ enum {
 };
 
 /* One kind. `x` and the results are in units of the distribution; the callers see to it that
- * min_x <= x < max_x and 0 < p < 1, and clamp what comes back. */
+ * min_x <= x < max_x and 0 < p, u, v < 1, and clamp what comes back. */
 typedef struct packing_i_psd_ops {
   const char *name;
-  const char *reference;
+  const char *formula; /* or reference */
   double (*cdf)(const packing_psd *psd, packing_by by, double x);
   double (*quantile)(const packing_psd *psd, packing_by by, double p);
-  double (*draw)(const packing_psd *psd, packing_i_stream *stream, size_t *component);
+  /* Takes the unit square to the law: (u, v) uniform in it gives x of the law. Most kinds use
+   * quantile(u), and `numbers` is 1. */
+  double (*point)(const packing_psd *psd, packing_by by, double u, double v,
+                  size_t *component);
+  int numbers;
   void (*finish)(packing_psd *psd); /* releases what the kind owns; NULL: nothing */
 } packing_i_psd_ops;
 
@@ -63,9 +67,16 @@ static inline int packing_i_psd_number_exponent(packing_by by, int dim)
 double packing_i_psd_draw(const packing_psd *psd, packing_i_stream *stream,
                           size_t *component);
 
-/* The draw of kinds that invert their cdf: one number of the stream. */
-double packing_i_psd_draw_inverse(const packing_psd *psd, packing_i_stream *stream,
-                                  size_t *component);
+/* The `point` of kinds that invert their cdf. */
+double packing_i_psd_point(const packing_psd *psd, packing_by by, double u, double v,
+                           size_t *component);
+
+/* The radius [L] of a point of the unit square; see packing_i_psd_ops. */
+double packing_i_psd_radius(const packing_psd *psd, packing_by by, double u, double v,
+                            size_t *component);
+
+/* The smallest x with cdf at least p, by bisection down to neighbouring doubles. */
+double packing_i_psd_bisect(const packing_psd *psd, packing_by by, double p);
 
 /* Neither `def` nor `psd` is NULL. */
 packing_status packing_i_psd_check_arguments(packing_context *context, const void *def,
@@ -75,13 +86,29 @@ packing_status packing_i_psd_check_arguments(packing_context *context, const voi
 packing_status packing_i_psd_check_measure(packing_context *context, packing_by by,
                                            int dim);
 
-/* Radii from `min_r` to `max_r`, both finite and > 0, are in reach: see the limits in psd.c. */
+/* Radii from `min_r` to `max_r`, both finite and > 0, are in reach: see the limits in check.c. */
 packing_status packing_i_psd_check_span(packing_context *context, const char *field,
                                         double min_r, double max_r);
 
 /* The fields min_r and max_r of a cut law. */
 packing_status packing_i_psd_check_cut(packing_context *context, double min_r,
                                        double max_r);
+
+/* At least `least` entries. */
+packing_status packing_i_psd_check_count(packing_context *context, size_t count,
+                                         size_t least);
+
+/* An array of finite numbers > 0; a failure names the row, from 1, and records its index. */
+packing_status packing_i_psd_check_entries(packing_context *context, const char *field,
+                                           const double *v, size_t count);
+
+/* Each entry above the one before. */
+packing_status packing_i_psd_check_rising(packing_context *context, const char *field,
+                                          const double *v, size_t count);
+
+/* A number > 0 that sets how narrow a law is, within [least, most]. */
+packing_status packing_i_psd_check_width(packing_context *context, const char *field,
+                                         double v, double least, double most);
 
 /* Allocates the kind's struct of `size` bytes, cleared, and fills its head but for the moments.
  * NULL: out of memory, noted in the context. */

@@ -43,8 +43,8 @@ static double quantile(const packing_psd *psd, packing_by by, double p)
   return psd->min_x + psd->min_x * expm1(u);
 }
 
-static const packing_i_psd_ops uniform = {
-    "uniform", "power law", cdf, quantile, packing_i_psd_draw_inverse, NULL};
+static const packing_i_psd_ops ops = {
+    "uniform", "density constant in r", cdf, quantile, packing_i_psd_point, 1, NULL};
 
 /* Integral of x^e over [a, b]. */
 static double integral(const uniform_law *law, int e)
@@ -70,8 +70,8 @@ packing_status packing_psd_create_uniform(packing_context *context,
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_psd_uniform, dim, def, &d));
   PACKING_I_TRY(packing_i_psd_check_measure(context, d.by, d.dim));
   PACKING_I_TRY(packing_i_psd_check_cut(context, d.min_r, d.max_r));
-  uniform_law *law = (uniform_law *)packing_i_psd_new(context, &uniform, sizeof *law,
-                                                      d.by, d.dim, d.min_r, d.max_r);
+  uniform_law *law = (uniform_law *)packing_i_psd_new(context, &ops, sizeof *law, d.by,
+                                                      d.dim, d.min_r, d.max_r);
   if (law == NULL)
     return PACKING_ERR_NOMEM;
   law->span = log_ratio(&law->base, law->base.max_x);

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "axis.h"
+#include <math.h>
+
+static void add_tick(axis *a, double value)
+{
+  const double slack = 1e-9 * (a->hi - a->lo);
+  if (a->count < AXIS_TICKS && value >= a->lo - slack && value <= a->hi + slack)
+    a->tick[a->count++] = value;
+}
+
+/* 1, 2 or 5 times a power of ten, four to nine ticks. */
+static void add_linear_ticks(axis *a)
+{
+  const double rough = (a->hi - a->lo) / 5, unit = pow(10, floor(log10(rough)));
+  const double lead = rough / unit;
+  const double step = unit * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+  for (double k = ceil(a->lo / step - 1e-9); k * step <= a->hi * (1 + 1e-9); k++)
+    add_tick(a, k * step + 0.0); /* never -0 */
+}
+
+/* 1, 2, 5 in each decade; over more than four decades the powers of ten alone. */
+static void add_logarithmic_ticks(axis *a)
+{
+  static const double leads[] = {1, 2, 5};
+  const int all = log10(a->hi / a->lo) <= 4;
+  for (double k = floor(log10(a->lo)); k <= ceil(log10(a->hi)); k++)
+    for (int i = 0; i < (all ? 3 : 1); i++)
+      add_tick(a, leads[i] * pow(10, k));
+}
+
+void axis_init(axis *a, double lo, double hi, int may_be_logarithmic)
+{
+  if (!(hi > lo * (1 + 1e-12))) {
+    const double middle = lo;
+    lo = middle > 0 ? 0.5 * middle : middle - 1;
+    hi = middle > 0 ? 1.5 * middle : middle + 1;
+    may_be_logarithmic = 0;
+  }
+  a->lo = lo;
+  a->hi = hi;
+  a->count = 0;
+  a->logarithmic = may_be_logarithmic && lo > 0 && hi / lo > 3;
+  if (a->logarithmic)
+    add_logarithmic_ticks(a);
+  else
+    add_linear_ticks(a);
+}
+
+double axis_place(const axis *a, double value)
+{
+  return a->logarithmic ? log(value / a->lo) / log(a->hi / a->lo)
+                        : (value - a->lo) / (a->hi - a->lo);
+}
+
+double axis_value(const axis *a, double place)
+{
+  return a->logarithmic ? a->lo * pow(a->hi / a->lo, place)
+                        : a->lo + place * (a->hi - a->lo);
+}

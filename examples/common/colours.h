@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef EXAMPLES_COLOURS_H
+#define EXAMPLES_COLOURS_H
+
+/* What the colours of a pack mean, and the bar that says so. */
+
+#include "axis.h"
+#include "canvas.h"
+#include "pack.h"
+
+typedef struct rgb {
+  double r, g, b; /* 0 to 1 */
+} rgb;
+
+typedef struct colours {
+  colour_by by;
+  axis scale;        /* radius and height */
+  size_t components; /* component */
+} colours;
+
+void colours_init(colours *c, const pack *p);
+
+/* The colour of particle i. */
+rgb colours_of(const colours *c, const pack *p, size_t i);
+
+/* The bar (or the swatches) in a column of `height` pixels. */
+void colours_draw_bar(const colours *c, canvas *sheet, double x, double y, double height);
+
+/* A mixture, t = 0: a, t = 1: b. */
+rgb rgb_mix(rgb a, rgb b, double t);
+
+#endif

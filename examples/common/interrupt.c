@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Being told to stop: the handler sets a flag, the loops look at it, so that temporary files
+ * are cleared away. A closed pipe becomes a failed write. */
+#include <signal.h>
+#include <string.h>
+#include "program.h"
+
+static volatile sig_atomic_t stop;
+
+static void note(int number)
+{
+  (void)number;
+  stop = 1;
+}
+
+void interrupt_catch(void)
+{
+  static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+  struct sigaction action;
+  memset(&action, 0, sizeof action);
+  sigemptyset(&action.sa_mask);
+  action.sa_handler = note;
+  action.sa_flags = SA_RESTART;
+  for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+    sigaction(numbers[i], &action, NULL);
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &action, NULL);
+}
+
+int interrupted(void)
+{
+  return stop;
+}

@@ -1,0 +1,289 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "options.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "program.h"
+
+enum {
+  KEY_DOMAIN = 0x100,
+  KEY_PSD,
+  KEY_COUNT,
+  KEY_MASS,
+  KEY_DENSITY,
+  KEY_POROSITY,
+  KEY_SEED,
+  KEY_STREAM,
+  KEY_THREADS,
+  KEY_ISA,
+  KEY_OUT,
+  KEY_REPORT,
+  KEY_MAX_OVERLAP,
+  KEY_PLOT_SIZES,
+  KEY_COLOUR,
+  KEY_QUIET
+};
+
+static const struct argp_option table[] = {
+    {NULL, 0, NULL, 0, "What and where:", 1},
+    {"domain", KEY_DOMAIN, "SPEC", 0, "the container", 1},
+    {"psd", KEY_PSD, "SPEC", 0, "the particle sizes", 1},
+    {NULL, 0, NULL, 0, "How much (at most one; none: as much as fits):", 2},
+    {"count", KEY_COUNT, "N", 0, "so many particles", 2},
+    {"mass", KEY_MASS, "M", 0, "particles of that mass", 2},
+    {"target-porosity", KEY_POROSITY, "P", 0, "until so much of the container is void",
+     2},
+    {"density", KEY_DENSITY, "RHO", 0,
+     "density of the particles, for --mass and for files that carry one (default 1000)",
+     2},
+    {NULL, 0, NULL, 0, "Randomness and machine:", 4},
+    {"seed", KEY_SEED, "N", 0, "64-bit seed (default 1)", 4},
+    {"stream", KEY_STREAM, "N", 0, "which pack of that seed (default 0)", 4},
+    {"threads", KEY_THREADS, "N", 0, "threads (default all cores)", 4},
+    {"isa", KEY_ISA, "NAME", 0,
+     "instruction set: auto (default), baseline, avx2, avx512. Neither this nor the "
+     "number "
+     "of threads changes the pack",
+     4},
+    {NULL, 0, NULL, 0, "Results:", 5},
+    {"out", KEY_OUT, "[FORMAT:]FILE", 0,
+     "write the pack; may be repeated. Formats: csv vtp lammps liggghts yade xyz png "
+     "svg; "
+     "without FORMAT by extension: .csv .vtp .data .xyz .png .svg",
+     5},
+    {"plot-sizes", KEY_PLOT_SIZES, "FILE", 0,
+     "plot the size curves asked and placed (.png or .svg)", 5},
+    {"colour", KEY_COLOUR, "WHAT", 0,
+     "what colours show in pictures of the pack: radius (default), component, height", 5},
+    {"color", KEY_COLOUR, "WHAT", OPTION_ALIAS | OPTION_HIDDEN, NULL, 5},
+    {"report", KEY_REPORT, "FILE", 0,
+     "write the JSON report there (default: standard "
+     "output)",
+     5},
+    {"max-overlap", KEY_MAX_OVERLAP, "X", 0,
+     "the audit fails above this overlap or protrusion, relative to the smaller radius "
+     "(default 1e-9)",
+     5},
+    {"quiet", KEY_QUIET, NULL, 0, "no progress bar and no remarks", 5},
+    {NULL, 0, NULL, 0, NULL, 0},
+};
+
+static const char *const colour_names[] = {"radius", "component", "height"};
+
+const char *colour_name(colour_by colour)
+{
+  return colour_names[colour];
+}
+
+static int read_colour(const char *text, colour_by *colour)
+{
+  for (int i = 0; i < 3; i++)
+    if (strcmp(colour_names[i], text) == 0) {
+      *colour = (colour_by)i;
+      return 0;
+    }
+  return program_fail(PROGRAM_BAD_INPUT,
+                      "--colour: '%s' is not radius, component or height", text);
+}
+
+static int read_isa(const char *text, packing_isa *isa)
+{
+  for (int i = 0; i < PACKING_ISA_END; i++)
+    if (strcmp(packing_isa_name((packing_isa)i), text) == 0) {
+      *isa = (packing_isa)i;
+      if (packing_isa_available(*isa))
+        return 0;
+      return program_fail(PROGRAM_BAD_INPUT, "--isa: this machine has no %s", text);
+    }
+  return program_fail(PROGRAM_BAD_INPUT,
+                      "--isa: '%s' is not auto, baseline, avx2 or avx512", text);
+}
+
+static int read_porosity(const char *text, double *porosity)
+{
+  const int code = number_real("--target-porosity", text, porosity);
+  if (!code && !(*porosity > 0 && *porosity < 1))
+    return program_fail(PROGRAM_BAD_INPUT, "--target-porosity: %s is not between 0 and 1",
+                        text);
+  return code;
+}
+
+static int read_max_overlap(const char *text, double *limit)
+{
+  const int code = number_real("--max-overlap", text, limit);
+  if (!code && !(*limit >= 0 && *limit < 1))
+    return program_fail(PROGRAM_BAD_INPUT, "--max-overlap: %s is not from 0 to below 1",
+                        text);
+  return code;
+}
+
+static int read_count(const char *text, size_t *count)
+{
+  uint64_t value = 0;
+  const int code = number_whole("--count", text, 1, UINT32_MAX, &value);
+  *count = (size_t)value;
+  return code;
+}
+
+static int read_threads(const char *text, int *threads)
+{
+  uint64_t value = 0;
+  const int code = number_whole("--threads", text, 1, 1024, &value);
+  *threads = (int)value;
+  return code;
+}
+
+static int read_report(options *o, const char *text)
+{
+  if (o->report)
+    return program_fail(PROGRAM_BAD_INPUT, "--report: given twice");
+  o->report = text;
+  return outputs_add_report(&o->outputs, "--report", text);
+}
+
+static int read_plot(options *o, const char *text)
+{
+  if (o->plot_sizes)
+    return program_fail(PROGRAM_BAD_INPUT, "--plot-sizes: given twice");
+  o->plot_sizes = text;
+  return outputs_add_sizes(&o->outputs, "--plot-sizes", text);
+}
+
+static int read_once(const char *option, const char *text, const char **slot)
+{
+  if (*slot)
+    return program_fail(PROGRAM_BAD_INPUT, "%s: given twice", option);
+  *slot = text;
+  return 0;
+}
+
+/* The exit code of reading one option; -1 for keys that are none of ours. */
+static int read_option(int key, const char *text, options *o)
+{
+  switch (key) {
+  case KEY_DOMAIN:
+    return read_once("--domain", text, &o->domain);
+  case KEY_PSD:
+    return read_once("--psd", text, &o->psd);
+  case KEY_COUNT:
+    return read_count(text, &o->count);
+  case KEY_MASS:
+    return number_positive("--mass", text, &o->mass);
+  case KEY_DENSITY:
+    return number_positive("--density", text, &o->density);
+  case KEY_POROSITY:
+    return read_porosity(text, &o->porosity);
+  case KEY_SEED:
+    return number_whole("--seed", text, 0, UINT64_MAX, &o->seed);
+  case KEY_STREAM:
+    return number_whole("--stream", text, 0, UINT64_MAX, &o->stream);
+  case KEY_THREADS:
+    return read_threads(text, &o->threads);
+  case KEY_ISA:
+    return read_isa(text, &o->isa);
+  case KEY_OUT:
+    return outputs_add_pack(&o->outputs, "--out", text);
+  case KEY_REPORT:
+    return read_report(o, text);
+  case KEY_MAX_OVERLAP:
+    return read_max_overlap(text, &o->max_overlap);
+  case KEY_PLOT_SIZES:
+    return read_plot(o, text);
+  case KEY_COLOUR:
+    return read_colour(text, &o->colour);
+  case KEY_QUIET:
+    o->quiet = 1;
+    return 0;
+  default:
+    return -1;
+  }
+}
+
+/* Only one way to say how much. */
+static void check_amount(const options *o)
+{
+  const int given = (o->count > 0) + !isnan(o->mass) + !isnan(o->porosity);
+  if (given > 1)
+    exit(program_fail(PROGRAM_BAD_INPUT,
+                      "--count, --mass, --target-porosity: only one of them"));
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+  if (key == ARGP_KEY_END) {
+    check_amount(state->input);
+    return 0;
+  }
+  const int code = read_option(key, argument, state->input);
+  if (code > 0)
+    exit(code);
+  return code == 0 ? 0 : ARGP_ERR_UNKNOWN;
+}
+
+const struct argp options_argp = {.options = table, .parser = parse};
+
+static void print_version(FILE *to, struct argp_state *state)
+{
+  (void)state;
+  fprintf(
+      to,
+      "%s (libpacking) %s\n"
+      "License GPLv3+: GNU GPL version 3 or later <https://gnu.org/licenses/gpl.html>.\n"
+      "This is free software: you are free to change and redistribute it.\n"
+      "There is NO WARRANTY, to the extent permitted by law.\n",
+      program_invocation_short_name, packing_version());
+}
+
+error_t options_refuse(int key, char *argument, struct argp_state *state)
+{
+  if (key == ARGP_KEY_INIT) {
+    state->child_inputs[0] = state->input;
+    /* getopt's line says what is wrong; argp's second line would only point at --help. */
+    state->err_stream = NULL;
+    return 0;
+  }
+  if (key == ARGP_KEY_ARG)
+    exit(program_fail(PROGRAM_BAD_INPUT, "'%s' is no option", argument));
+  return ARGP_ERR_UNKNOWN;
+}
+
+int options_parse(const struct argp *own, int argc, char **argv, void *input)
+{
+  argp_program_version_hook = print_version;
+  return argp_parse(own, argc, argv, 0, NULL, input) == 0 ? 0 : PROGRAM_BAD_INPUT;
+}
+
+void options_init(options *o)
+{
+  memset(o, 0, sizeof *o);
+  o->mass = o->porosity = NAN;
+  o->density = 1000;
+  o->seed = 1;
+  o->max_overlap = 1e-9;
+}
+
+void options_free(options *o)
+{
+  outputs_free(&o->outputs);
+}
+
+static void tell_warning(void *user, const packing_log_record *record)
+{
+  (void)user;
+  if (record->level == PACKING_LOG_WARNING)
+    program_remark("%s", record->message);
+}
+
+int options_context(const options *o, packing_context **context)
+{
+  packing_context_def def;
+  packing_context_def_init(&def);
+  def.threads = o->threads;
+  def.isa = o->isa;
+  def.log = tell_warning;
+  if (o->quiet)
+    program_quiet();
+  const packing_status status = packing_context_create(&def, context);
+  return status == PACKING_OK ? 0 : program_status(NULL, status, "--threads, --isa");
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef EXAMPLES_OPTIONS_H
+#define EXAMPLES_OPTIONS_H
+
+/* The options that all programs share, as a child parser for argp. A program puts
+ * {&options_argp, 0, NULL, 0} among its children and hands a `options` down as its input. A bad
+ * value ends the program with one line and exit code 2. */
+
+#include <argp.h>
+#include "output.h"
+
+typedef struct options {
+  const char *domain;    /* NULL: not given */
+  const char *psd;       /* NULL: not given */
+  size_t count;          /* 0: not given */
+  double mass;           /* NaN: not given */
+  double density;        /* [M L^-3], default 1000 */
+  double porosity;       /* NaN: not given */
+  uint64_t seed, stream; /* default 1, 0 */
+  int threads;           /* 0: all cores */
+  packing_isa isa;       /* default auto */
+  double max_overlap;    /* limit of the audit, default 1e-9 */
+  outputs outputs;
+  const char *report;     /* NULL: standard output */
+  const char *plot_sizes; /* NULL: none */
+  colour_by colour;
+  int quiet;
+} options;
+
+void options_init(options *o);
+void options_free(options *o);
+
+extern const struct argp options_argp;
+
+/* Parses the whole command line with a program's own argp; returns 0 or exit code 2. `input`
+ * goes to the program's parser, which hands an `options` to its first child. */
+int options_parse(const struct argp *own, int argc, char **argv, void *input);
+
+/* The parser of a program without options of its own; others call it for what they do not
+ * know. Plain arguments are refused. */
+error_t options_refuse(int key, char *argument, struct argp_state *state);
+
+/* The names of colour_by. */
+const char *colour_name(colour_by colour);
+
+/* A context as asked; 0 or an exit code. */
+int options_context(const options *o, packing_context **context);
+
+#endif

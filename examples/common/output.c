@@ -1,0 +1,310 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output.h"
+#include <errno.h>
+#include <libgen.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "picture.h"
+#include "program.h"
+
+const char output_formats[] = "csv, vtp, lammps, liggghts, yade, xyz, png, svg";
+
+static packing_status write_csv(const pack *p, const packing_stream *stream)
+{
+  packing_csv_def def;
+  packing_csv_def_init(&def);
+  def.dim = p->spec->dim;
+  def.note_count = p->notes.count;
+  def.keys = p->notes.keys;
+  def.values = (const char *const *)p->notes.values;
+  return packing_write_csv(p->context, &def, &p->view, stream);
+}
+
+static packing_status write_vtp(const pack *p, const packing_stream *stream)
+{
+  return packing_write_vtp(p->context, NULL, &p->view, stream);
+}
+
+static packing_status write_lammps(const pack *p, const packing_stream *stream)
+{
+  packing_lammps_def def;
+  packing_lammps_def_init(&def);
+  def.dim = p->spec->dim;
+  def.density = p->density;
+  packing_domain_bounds(p->domain, &def.box);
+  return packing_write_lammps(p->context, &def, &p->view, stream);
+}
+
+static packing_status write_yade(const pack *p, const packing_stream *stream)
+{
+  return packing_write_yade(p->context, NULL, &p->view, stream);
+}
+
+static packing_status write_xyz(const pack *p, const packing_stream *stream)
+{
+  packing_xyz_def def;
+  packing_xyz_def_init(&def);
+  def.periodic = packing_domain_periodic(p->domain);
+  packing_domain_bounds(p->domain, &def.box);
+  return packing_write_xyz(p->context, &def, &p->view, stream);
+}
+
+static packing_status write_report(const pack *p, const packing_stream *stream)
+{
+  return stream->write(stream->user, p->report, strlen(p->report));
+}
+
+typedef struct format {
+  const char *name;
+  const char *extension; /* NULL: by name only */
+  pack_writer write;
+} format;
+
+static const format pack_formats[] = {
+    {"csv", ".csv", write_csv},
+    {"vtp", ".vtp", write_vtp},
+    {"lammps", ".data", write_lammps},
+    {"liggghts", NULL, write_lammps},
+    {"yade", NULL, write_yade},
+    {"xyz", ".xyz", write_xyz},
+    {"png", ".png", picture_write_png},
+    {"svg", ".svg", picture_write_svg},
+    {NULL, NULL, NULL},
+};
+
+static const format sizes_formats[] = {
+    {"png", ".png", picture_write_sizes_png},
+    {"svg", ".svg", picture_write_sizes_svg},
+    {NULL, NULL, NULL},
+};
+
+static void add(outputs *all, const char *option, const char *text, const char *path,
+                pack_writer write)
+{
+  struct stat there;
+  all->items = program_take_more(all->items, all->count + 1, sizeof *all->items);
+  all->items[all->count++] = (output){
+      .option = option,
+      .text = text,
+      .path = path,
+      .write = write,
+      .in_place = stat(path, &there) == 0 && !S_ISREG(there.st_mode),
+  };
+}
+
+static int has_extension(const char *path, const char *extension)
+{
+  const size_t all = strlen(path), end = strlen(extension);
+  return all > end && strcmp(path + all - end, extension) == 0 &&
+         path[all - end - 1] != '/';
+}
+
+/* A file name with a colon in it needs a slash before: ./a:b.csv. */
+static size_t prefix_length(const char *text)
+{
+  const size_t length = strspn(text, "abcdefghijklmnopqrstuvwxyz0123456789_-");
+  return text[length] == ':' ? length : 0;
+}
+
+static int add_by_name(outputs *all, const char *option, const char *text)
+{
+  const size_t length = prefix_length(text);
+  for (const format *f = pack_formats; f->name; f++)
+    if (strlen(f->name) == length && strncmp(f->name, text, length) == 0) {
+      if (!text[length + 1])
+        return program_fail(PROGRAM_BAD_INPUT, "%s: a file name is missing after '%s'",
+                            option, text);
+      add(all, option, text, text + length + 1, f->write);
+      return 0;
+    }
+  return program_fail(PROGRAM_BAD_INPUT, "%s: unknown format '%.*s'; known are %s",
+                      option, (int)length, text, output_formats);
+}
+
+static int add_by_extension(outputs *all, const char *option, const char *path,
+                            const format *formats, const char *known)
+{
+  for (const format *f = formats; f->name; f++)
+    if (f->extension && has_extension(path, f->extension)) {
+      add(all, option, path, path, f->write);
+      return 0;
+    }
+  return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' has none of the extensions %s", option,
+                      path, known);
+}
+
+int outputs_add_pack(outputs *all, const char *option, const char *text)
+{
+  if (prefix_length(text))
+    return add_by_name(all, option, text);
+  return add_by_extension(all, option, text, pack_formats,
+                          ".csv .vtp .data .xyz .png .svg, and no FORMAT: is before it");
+}
+
+int outputs_add_sizes(outputs *all, const char *option, const char *path)
+{
+  return add_by_extension(all, option, path, sizes_formats, ".png .svg");
+}
+
+int outputs_add_report(outputs *all, const char *option, const char *path)
+{
+  if (!*path)
+    return program_fail(PROGRAM_BAD_INPUT, "%s: a file name is missing", option);
+  add(all, option, path, path, write_report);
+  return 0;
+}
+
+/* One name for a file that may not be there yet: its folder's real path and its own name. */
+static char *real_name(const char *path)
+{
+  char *whole = realpath(path, NULL);
+  if (whole)
+    return whole;
+  char *folder_text = program_copy(path, strlen(path));
+  char *name_text = program_copy(path, strlen(path));
+  char *folder = realpath(dirname(folder_text), NULL);
+  if (!folder || asprintf(&whole, "%s/%s", folder, basename(name_text)) < 0)
+    whole = NULL;
+  free(folder);
+  free(name_text);
+  free(folder_text);
+  return whole;
+}
+
+static int same_file(const char *a, const char *b)
+{
+  char *first = real_name(a), *second = real_name(b);
+  const int same = first && second && strcmp(first, second) == 0;
+  free(second);
+  free(first);
+  return same;
+}
+
+static int check_names(const outputs *all, size_t i, const input_files *inputs)
+{
+  const output *out = &all->items[i];
+  if (out->in_place)
+    return 0;
+  for (size_t k = 0; k < i; k++)
+    if (same_file(out->path, all->items[k].path))
+      return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' is written twice (%s '%s')",
+                          out->option, out->path, all->items[k].option,
+                          all->items[k].path);
+  for (size_t k = 0; k < inputs->count; k++)
+    if (same_file(out->path, inputs->items[k].path))
+      return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' is an input", out->option,
+                          out->path);
+  return 0;
+}
+
+/* Starting a file beside its place and throwing it away shows that it can be written; a
+ * device or a pipe is only asked, since opening it may wait for its other end. */
+static int check_place(const output *out, packing_context *context)
+{
+  struct stat there;
+  packing_file *file = NULL;
+  if (out->in_place) {
+    if (stat(out->path, &there) == 0 && S_ISDIR(there.st_mode))
+      return program_fail(PROGRAM_SYSTEM, "%s: '%s' is a directory", out->option,
+                          out->path);
+    if (access(out->path, W_OK) != 0)
+      return program_fail(PROGRAM_SYSTEM, "%s: '%s': %s", out->option, out->path,
+                          strerror(errno));
+    return 0;
+  }
+  const packing_status status = packing_file_create(context, out->path, &file);
+  if (status != PACKING_OK)
+    return program_status(context, status, out->option);
+  packing_file_close(file);
+  return 0;
+}
+
+int outputs_check(const outputs *all, packing_context *context, const input_files *inputs)
+{
+  int code = 0;
+  for (size_t i = 0; i < all->count && !code; i++) {
+    code = check_names(all, i, inputs);
+    if (!code)
+      code = check_place(&all->items[i], context);
+  }
+  return code;
+}
+
+/* Passes writes through until the program is told to stop. */
+static packing_status write_on(void *user, const void *data, size_t count)
+{
+  const packing_stream *inner = user;
+  return interrupted() ? PACKING_ERR_IO : inner->write(inner->user, data, count);
+}
+
+static int output_status(const output *out, const pack *p, packing_status status)
+{
+  char where[PATH_MAX + 64];
+  if (interrupted())
+    return program_interrupted();
+  snprintf(where, sizeof where, "%s: %s", out->option, out->path);
+  return program_status(p->context, status, where);
+}
+
+static int write_one(output *out, const pack *p)
+{
+  packing_status status = packing_file_create(p->context, out->path, &out->file);
+  if (status == PACKING_OK) {
+    packing_stream *inner = packing_file_stream(out->file);
+    const packing_stream stream = {.write = write_on, .user = inner};
+    status = out->write(p, &stream);
+  }
+  return status == PACKING_OK ? 0 : output_status(out, p, status);
+}
+
+static int commit(outputs *all, const pack *p, int in_place)
+{
+  for (size_t i = 0; i < all->count; i++) {
+    output *out = &all->items[i];
+    if (out->in_place != in_place)
+      continue;
+    packing_file *file = out->file;
+    out->file = NULL;
+    const packing_status status = packing_file_commit(file);
+    if (status != PACKING_OK)
+      return output_status(out, p, status);
+  }
+  return 0;
+}
+
+static int print_standard_output(const char *text)
+{
+  if (text && (fputs(text, stdout) == EOF || fflush(stdout) != 0))
+    return program_fail(PROGRAM_SYSTEM, "--report: standard output: %s", strerror(errno));
+  return 0;
+}
+
+int outputs_write(outputs *all, const pack *p, const char *standard_output)
+{
+  int code = interrupted() ? program_interrupted() : 0;
+  for (size_t i = 0; i < all->count && !code; i++)
+    code = write_one(&all->items[i], p);
+  /* What cannot be taken back comes first, so that its failure leaves no other file. */
+  if (!code)
+    code = commit(all, p, 1);
+  if (!code)
+    code = print_standard_output(standard_output);
+  if (!code)
+    code = commit(all, p, 0);
+  for (size_t i = 0; i < all->count; i++) {
+    packing_file_close(all->items[i].file);
+    all->items[i].file = NULL;
+  }
+  return code;
+}
+
+void outputs_free(outputs *all)
+{
+  free(all->items);
+  all->items = NULL;
+  all->count = 0;
+}

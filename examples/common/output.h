@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef EXAMPLES_OUTPUT_H
+#define EXAMPLES_OUTPUT_H
+
+/* --out [FORMAT:]FILE and its like: which writer, whether the place can be written, and all
+ * files of a run appearing together or not at all. */
+
+#include "pack.h"
+#include "spec.h"
+
+/* Writes a pack somewhere. */
+typedef packing_status (*pack_writer)(const pack *p, const packing_stream *stream);
+
+typedef struct output {
+  const char *option; /* for messages: "--out" */
+  const char *text;   /* as typed */
+  const char *path;
+  pack_writer write;
+  int in_place;       /* a device or a pipe: written as it stands */
+  packing_file *file; /* while being written */
+} output;
+
+typedef struct outputs {
+  output *items;
+  size_t count;
+} outputs;
+
+/* Adds an output whose format comes from `FORMAT:` or the extension. Functions return 0, or
+ * an exit code after one line on standard error. */
+int outputs_add_pack(outputs *all, const char *option, const char *text);
+
+/* Adds the plot of sizes, by extension .png or .svg. */
+int outputs_add_sizes(outputs *all, const char *option, const char *path);
+
+/* Adds the report. */
+int outputs_add_report(outputs *all, const char *option, const char *path);
+
+/* Before the work: every place can be written, none is named twice or is an input. */
+int outputs_check(const outputs *all, packing_context *context,
+                  const input_files *inputs);
+
+/* After the work: writes all beside their places, sends `standard_output` (may be NULL) to
+ * standard output, and lets the files appear. On failure none does. */
+int outputs_write(outputs *all, const pack *p, const char *standard_output);
+
+void outputs_free(outputs *all);
+
+/* "csv, vtp, ..." for --help. */
+extern const char output_formats[];
+
+#endif

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program.h"
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include "progress.h"
+
+static int quiet;
+
+static void print_line(const char *format, va_list arguments)
+{
+  progress_clear();
+  fprintf(stderr, "%s: ", program_invocation_short_name);
+  vfprintf(stderr, format, arguments);
+  fputc('\n', stderr);
+}
+
+int program_fail(int code, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  print_line(format, arguments);
+  va_end(arguments);
+  return code;
+}
+
+void program_remark(const char *format, ...)
+{
+  va_list arguments;
+  if (quiet)
+    return;
+  va_start(arguments, format);
+  print_line(format, arguments);
+  va_end(arguments);
+}
+
+void program_quiet(void)
+{
+  quiet = 1;
+}
+
+int program_interrupted(void)
+{
+  return program_fail(PROGRAM_INTERRUPTED, "interrupted, nothing written");
+}
+
+static int exit_code(packing_status status)
+{
+  switch (status) {
+  case PACKING_ERR_NOMEM:
+  case PACKING_ERR_IO:
+  case PACKING_ERR_ABI:
+  case PACKING_ERR_INTERNAL:
+    return PROGRAM_SYSTEM;
+  default:
+    return PROGRAM_BAD_INPUT;
+  }
+}
+
+int program_status(const packing_context *context, packing_status status,
+                   const char *what)
+{
+  const char *message = packing_context_message(context);
+  return program_fail(exit_code(status), "%s: %s", what,
+                      *message ? message : packing_status_string(status));
+}
+
+void *program_take_more(void *block, size_t count, size_t size)
+{
+  void *grown = reallocarray(block, count ? count : 1, size);
+  if (!grown)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  return grown;
+}
+
+void *program_take(size_t count, size_t size)
+{
+  void *block = program_take_more(NULL, count, size);
+  memset(block, 0, (count ? count : 1) * size);
+  return block;
+}
+
+char *program_copy(const char *text, size_t length)
+{
+  char *copy = program_take(length + 1, 1);
+  memcpy(copy, text, length);
+  return copy;
+}
+
+double program_seconds(void)
+{
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Quotes a word for the shell if it has to be. */
+static void print_word(FILE *to, const char *word)
+{
+  static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                              "0123456789_-+=:,./@%";
+  if (*word && strspn(word, plain) == strlen(word)) {
+    fputs(word, to);
+    return;
+  }
+  fputc('\'', to);
+  for (; *word; word++)
+    if (*word == '\'')
+      fputs("'\\''", to);
+    else
+      fputc(*word, to);
+  fputc('\'', to);
+}
+
+char *program_command_line(int argc, char **argv)
+{
+  char *line = NULL;
+  size_t size = 0;
+  FILE *to = open_memstream(&line, &size);
+  if (!to)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  fputs(program_invocation_short_name, to);
+  for (int i = 1; i < argc; i++) {
+    fputc(' ', to);
+    print_word(to, argv[i]);
+  }
+  if (fclose(to) != 0)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  return line;
+}

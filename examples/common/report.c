@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "report.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "program.h"
+
+static void check(const void *made)
+{
+  if (!made)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+}
+
+static void add_raw(cJSON *object, const char *key, const char *raw)
+{
+  check(cJSON_AddRawToObject(object, key, raw));
+}
+
+void report_add_real(cJSON *object, const char *key, double value)
+{
+  char text[40] = "null";
+  if (isfinite(value))
+    snprintf(text, sizeof text, "%.17g", value);
+  add_raw(object, key, text);
+}
+
+void report_add_u64(cJSON *object, const char *key, uint64_t value)
+{
+  char text[32];
+  snprintf(text, sizeof text, "%llu", (unsigned long long)value);
+  add_raw(object, key, text);
+}
+
+void report_add_count(cJSON *object, const char *key, size_t value)
+{
+  if (value == REPORT_NONE)
+    check(cJSON_AddNullToObject(object, key));
+  else
+    report_add_u64(object, key, value);
+}
+
+void report_add_text(cJSON *object, const char *key, const char *value)
+{
+  check(value ? cJSON_AddStringToObject(object, key, value)
+              : cJSON_AddNullToObject(object, key));
+}
+
+void report_add_flag(cJSON *object, const char *key, int value)
+{
+  check(cJSON_AddBoolToObject(object, key, value));
+}
+
+cJSON *report_add_list(cJSON *object, const char *key)
+{
+  cJSON *list = cJSON_AddArrayToObject(object, key);
+  check(list);
+  return list;
+}
+
+void report_append_text(cJSON *list, const char *value)
+{
+  cJSON *entry = cJSON_CreateString(value);
+  check(entry);
+  cJSON_AddItemToArray(list, entry);
+}
+
+static cJSON *add_object(cJSON *object, const char *key)
+{
+  cJSON *made = cJSON_AddObjectToObject(object, key);
+  check(made);
+  return made;
+}
+
+static void add_input(cJSON *root, const input_files *files)
+{
+  if (!files || files->count == 0) {
+    report_add_text(root, "input", NULL);
+    return;
+  }
+  cJSON *list = report_add_list(root, "input");
+  for (size_t i = 0; i < files->count; i++) {
+    cJSON *entry = cJSON_CreateObject();
+    check(entry);
+    report_add_text(entry, "file", files->items[i].path);
+    report_add_text(entry, "sha256", files->items[i].sha256);
+    cJSON_AddItemToArray(list, entry);
+  }
+}
+
+static void add_volumes(cJSON *root, const report *r)
+{
+  const double porosity = 1 - r->volume_fraction;
+  report_add_real(root, "domain_volume", r->domain_volume);
+  report_add_real(root, "solid_volume", r->solid_volume);
+  report_add_real(root, "volume_fraction", r->volume_fraction);
+  report_add_real(root, "porosity", porosity);
+  report_add_real(root, "void_ratio", porosity / r->volume_fraction);
+  report_add_real(root, "volume_fraction_inner", r->volume_fraction_inner);
+}
+
+static void add_histogram(cJSON *object, const report *r)
+{
+  size_t used = r->histogram_bins;
+  if (!r->histogram) {
+    report_add_text(object, "histogram", NULL);
+    return;
+  }
+  while (used && r->histogram[used - 1] == 0)
+    used--;
+  cJSON *list = report_add_list(object, "histogram");
+  for (size_t k = 0; k < used; k++) {
+    cJSON *number = cJSON_CreateNumber((double)r->histogram[k]);
+    check(number);
+    cJSON_AddItemToArray(list, number);
+  }
+}
+
+static void add_structure(cJSON *root, const report *r)
+{
+  cJSON *coordination = add_object(root, "coordination");
+  report_add_real(coordination, "mean", r->coordination_mean);
+  report_add_real(coordination, "mean_no_rattlers", r->coordination_mean_no_rattlers);
+  report_add_count(coordination, "rattlers", r->rattlers);
+  add_histogram(coordination, r);
+  report_add_real(coordination, "tolerance", r->coordination_tolerance);
+  /* The library has no fabric measure yet. */
+  cJSON *fabric = add_object(root, "fabric");
+  report_add_text(fabric, "eigenvalues", NULL);
+  report_add_text(fabric, "sd", NULL);
+}
+
+static void add_audit(cJSON *root, const report *r)
+{
+  cJSON *audit = add_object(root, "audit");
+  report_add_real(audit, "max_overlap", r->max_overlap);
+  report_add_real(audit, "max_protrusion", r->max_protrusion);
+  report_add_real(audit, "limit", r->audit_limit);
+  if (r->audit_passed < 0)
+    report_add_text(audit, "passed", NULL);
+  else
+    report_add_flag(audit, "passed", r->audit_passed);
+}
+
+static void add_psd(cJSON *root, const report *r)
+{
+  cJSON *psd = add_object(root, "psd");
+  report_add_real(psd, "ks", r->ks);
+  report_add_real(psd, "ks_limit", r->ks_limit);
+  report_add_real(psd, "ks_mass", r->ks_mass);
+  report_add_count(psd, "unplaced", r->unplaced);
+  report_add_real(psd, "mean_relative_error", r->mean_relative_error);
+}
+
+static void add_time(cJSON *root, const report *r)
+{
+  cJSON *time = add_object(root, "time");
+  report_add_real(time, "place", r->time_place);
+  report_add_real(time, "settle", r->time_settle);
+  report_add_real(time, "measure", r->time_measure);
+  report_add_real(time, "total", r->time_total);
+  report_add_real(root, "rate", (double)r->particles / r->time_place);
+}
+
+void report_init(report *r)
+{
+  memset(r, 0, sizeof *r);
+  r->domain_volume = r->solid_volume = NAN;
+  r->volume_fraction = r->volume_fraction_inner = NAN;
+  r->coordination_mean = r->coordination_mean_no_rattlers = NAN;
+  r->coordination_tolerance = NAN;
+  r->rattlers = r->unplaced = REPORT_NONE;
+  r->max_overlap = r->max_protrusion = r->audit_limit = NAN;
+  r->audit_passed = -1;
+  r->ks = r->ks_limit = r->ks_mass = r->mean_relative_error = NAN;
+  r->time_place = r->time_settle = r->time_measure = r->time_total = NAN;
+}
+
+char *report_text(const report *r)
+{
+  char *text = NULL;
+  cJSON *root = cJSON_CreateObject();
+  check(root);
+  report_add_text(root, "program", r->program);
+  report_add_text(root, "version", packing_version());
+  report_add_text(root, "command", r->command);
+  check(cJSON_AddItemToObject(root, "options", r->options) ? root : NULL);
+  add_input(root, r->input);
+  report_add_u64(root, "seed", r->seed);
+  report_add_count(root, "threads", (size_t)r->threads);
+  report_add_count(root, "dim", (size_t)r->dim);
+  report_add_count(root, "particles", r->particles);
+  add_volumes(root, r);
+  add_structure(root, r);
+  add_audit(root, r);
+  add_psd(root, r);
+  add_time(root, r);
+  char *json = cJSON_Print(root);
+  check(json);
+  if (asprintf(&text, "%s\n", json) < 0)
+    check(NULL);
+  cJSON_free(json);
+  cJSON_Delete(root);
+  return text;
+}

@@ -1,0 +1,336 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* --domain: KIND:FIELDS[,axis=A][+MODIFIER[:VALUE]]... */
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "program.h"
+#include "spec.h"
+
+enum { PERIODIC = 1, OPEN = 2, AXIS = 4 };
+
+typedef struct kind_row {
+  const char *name;
+  const char *form;     /* for messages */
+  const char *field[4]; /* names of the lengths; NULL past the last */
+  domain_kind kind;
+  int dim;
+  int can; /* which modifiers make sense */
+} kind_row;
+
+static const kind_row kinds[] = {
+    {"box", "box:LX,LY,LZ", {"LX", "LY", "LZ"}, DOMAIN_BOX, 3, PERIODIC | OPEN},
+    {"rect", "rect:LX,LY", {"LX", "LY"}, DOMAIN_RECT, 2, PERIODIC | OPEN},
+    {"cylinder", "cylinder:R,H", {"R", "H"}, DOMAIN_CYLINDER, 3, OPEN | AXIS},
+    {"tube", "tube:RI,RO,H", {"RI", "RO", "H"}, DOMAIN_TUBE, 3, OPEN | AXIS},
+    {"cone", "cone:R0,R1,H", {"R0", "R1", "H"}, DOMAIN_CONE, 3, OPEN | AXIS},
+    {"silo",
+     "silo:R,H,ROUT,HCONE",
+     {"R", "H", "ROUT", "HCONE"},
+     DOMAIN_SILO,
+     3,
+     OPEN | AXIS},
+    {"sphere", "sphere:R", {"R"}, DOMAIN_SPHERE, 3, 0},
+    {"circle", "circle:R", {"R"}, DOMAIN_CIRCLE, 2, 0},
+    {"annulus", "annulus:RI,RO", {"RI", "RO"}, DOMAIN_ANNULUS, 2, 0},
+};
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
+
+#define BAD(...) program_fail(PROGRAM_BAD_INPUT, "--domain: " __VA_ARGS__)
+
+static int unknown_kind(const char *name)
+{
+  char list[256] = "";
+  for (size_t i = 0; i < KINDS; i++) {
+    strcat(list, i ? ", " : "");
+    strcat(list, kinds[i].name);
+  }
+  return BAD("unknown container '%s'; known are %s", name, list);
+}
+
+static const kind_row *find_kind(const char *name)
+{
+  for (size_t i = 0; i < KINDS; i++)
+    if (strcmp(kinds[i].name, name) == 0)
+      return &kinds[i];
+  return NULL;
+}
+
+static size_t count_fields(const kind_row *row)
+{
+  size_t n = 0;
+  while (n < 4 && row->field[n])
+    n++;
+  return n;
+}
+
+/* "axis=x" */
+static int read_axis(const kind_row *row, const char *value, domain_spec *spec)
+{
+  if (!(row->can & AXIS))
+    return BAD("axis: does not apply to %s", row->name);
+  if (strlen(value) != 1 || !strchr("xyz", *value))
+    return BAD("axis: '%s' is not x, y or z", value);
+  spec->axis = (packing_axis)(*value - 'x');
+  return 0;
+}
+
+static int read_lengths(const kind_row *row, char **words, size_t count,
+                        domain_spec *spec)
+{
+  const size_t need = count_fields(row);
+  if (count > need && strncmp(words[count - 1], "axis=", 5) == 0) {
+    const int code = read_axis(row, words[--count] + 5, spec);
+    if (code)
+      return code;
+  }
+  if (count < need)
+    return BAD("%s is missing, as in %s", row->field[*words[0] ? count : 0], row->form);
+  if (count > need)
+    return BAD("'%s' is one field too many for %s", words[need], row->form);
+  for (size_t i = 0; i < need; i++) {
+    char where[64];
+    snprintf(where, sizeof where, "--domain: %s: %s", row->name, row->field[i]);
+    const int code = number_real(where, words[i], &spec->size[i]);
+    if (code)
+      return code;
+  }
+  return 0;
+}
+
+static int read_periodic(const kind_row *row, const char *value, domain_spec *spec)
+{
+  const char *all = row->dim == 2 ? "xy" : "xyz";
+  if (!(row->can & PERIODIC))
+    return BAD("+periodic: does not apply to %s", row->name);
+  for (const char *at = value ? value : all; *at; at++) {
+    if (!strchr(all, *at))
+      return BAD("+periodic: '%s' has other letters than %s", value, all);
+    spec->periodic |= PACKING_PERIODIC_X << (*at - 'x');
+  }
+  return spec->periodic ? 0 : BAD("+periodic: an axis is missing");
+}
+
+static int read_at(const kind_row *row, char *value, domain_spec *spec)
+{
+  double v[3] = {0, 0, 0};
+  size_t count = 0;
+  int code = 0;
+  char **words = spec_split(value, ',', &count);
+  if (count > 3 || count < (size_t)row->dim)
+    code = BAD("+at: %zu numbers, where %s is wanted", count,
+               row->dim == 2 ? "X,Y" : "X,Y,Z");
+  for (size_t i = 0; i < count && !code; i++)
+    code = number_real("--domain: +at", words[i], &v[i]);
+  if (!code && row->dim == 2 && v[2] != 0)
+    code = BAD("+at: Z must be 0 in two dimensions");
+  spec->at.x += v[0];
+  spec->at.y += v[1];
+  spec->at.z += v[2];
+  free(words);
+  return code;
+}
+
+static int read_scale(const char *value, domain_spec *spec)
+{
+  double scale = 1;
+  const int code = number_positive("--domain: +scale", value, &scale);
+  if (code)
+    return code;
+  for (size_t i = 0; i < 4; i++)
+    spec->size[i] *= scale;
+  spec->at.x *= scale;
+  spec->at.y *= scale;
+  spec->at.z *= scale;
+  return 0;
+}
+
+static int read_modifier(const kind_row *row, char *word, domain_spec *spec)
+{
+  char *value = strchr(word, ':');
+  if (value)
+    *value++ = '\0';
+  if (strcmp(word, "periodic") == 0)
+    return read_periodic(row, value, spec);
+  if (strcmp(word, "at") == 0)
+    return read_at(row, value ? value : word + 2, spec);
+  if (strcmp(word, "scale") == 0)
+    return read_scale(value ? value : "", spec);
+  if (strcmp(word, "open") != 0)
+    return BAD("unknown modifier '+%s'; known are +periodic, +at, +scale, +open", word);
+  if (!(row->can & OPEN))
+    return BAD("+open: does not apply to %s", row->name);
+  if (!value || strcmp(value, "top") != 0)
+    return BAD("+open: '%s' is not top", value ? value : "");
+  spec->open_top = 1;
+  return 0;
+}
+
+/* Ends the word at `at` before the next modifier and returns that, or NULL. A '+' before a
+ * digit or a point belongs to a number. */
+static char *cut_modifier(char *at)
+{
+  for (; *at; at++)
+    if (*at == '+' && !isdigit((unsigned char)at[1]) && at[1] != '.') {
+      *at = '\0';
+      return at + 1;
+    }
+  return NULL;
+}
+
+static int parse(char *text, domain_spec *spec)
+{
+  size_t count = 0;
+  char *modifier = cut_modifier(text);
+  char *fields = strchr(text, ':');
+  if (fields)
+    *fields++ = '\0';
+  const kind_row *row = find_kind(text);
+  if (!row)
+    return unknown_kind(text);
+  spec->kind = row->kind;
+  spec->dim = row->dim;
+  char **words = spec_split(fields ? fields : text + strlen(text), ',', &count);
+  int code = read_lengths(row, words, count, spec);
+  free(words);
+  while (modifier && !code) {
+    char *word = modifier;
+    modifier = cut_modifier(word);
+    code = read_modifier(row, word, spec);
+  }
+  return code;
+}
+
+int domain_spec_parse(const char *text, domain_spec *spec)
+{
+  memset(spec, 0, sizeof *spec);
+  spec->text = text;
+  spec->axis = PACKING_AXIS_Z;
+  for (const char *at = text; *at; at++)
+    if (iscntrl((unsigned char)*at))
+      return BAD("a control character in it");
+  char *copy = program_copy(text, strlen(text));
+  const int code = parse(copy, spec);
+  free(copy);
+  return code;
+}
+
+static packing_status create_flat(packing_context *context, const domain_spec *spec,
+                                  packing_domain **domain)
+{
+  if (spec->kind == DOMAIN_RECT) {
+    packing_domain_rectangle_def def;
+    packing_domain_rectangle_def_init(&def);
+    def.size_x = spec->size[0];
+    def.size_y = spec->size[1];
+    def.corner = spec->at;
+    def.periodic = spec->periodic;
+    def.open_top = spec->open_top;
+    return packing_domain_create_rectangle(context, &def, domain);
+  }
+  if (spec->kind == DOMAIN_CIRCLE) {
+    packing_domain_circle_def def;
+    packing_domain_circle_def_init(&def);
+    def.radius = spec->size[0];
+    def.centre = spec->at;
+    return packing_domain_create_circle(context, &def, domain);
+  }
+  packing_domain_annulus_def def;
+  packing_domain_annulus_def_init(&def);
+  def.inner_radius = spec->size[0];
+  def.outer_radius = spec->size[1];
+  def.centre = spec->at;
+  return packing_domain_create_annulus(context, &def, domain);
+}
+
+static packing_status create_box(packing_context *context, const domain_spec *spec,
+                                 packing_domain **domain)
+{
+  packing_domain_box_def def;
+  packing_domain_box_def_init(&def);
+  def.size = (packing_vec3){spec->size[0], spec->size[1], spec->size[2]};
+  def.corner = spec->at;
+  def.periodic = spec->periodic;
+  def.open_top = spec->open_top;
+  return packing_domain_create_box(context, &def, domain);
+}
+
+static packing_status create_cylinder(packing_context *context, const domain_spec *spec,
+                                      packing_domain **domain)
+{
+  packing_domain_cylinder_def def;
+  packing_domain_cylinder_def_init(&def);
+  def.radius = spec->size[0];
+  def.height = spec->size[1];
+  def.base = spec->at;
+  def.axis = spec->axis;
+  def.open_top = spec->open_top;
+  return packing_domain_create_cylinder(context, &def, domain);
+}
+
+static packing_status create_tube(packing_context *context, const domain_spec *spec,
+                                  packing_domain **domain)
+{
+  packing_domain_tube_def def;
+  packing_domain_tube_def_init(&def);
+  def.inner_radius = spec->size[0];
+  def.outer_radius = spec->size[1];
+  def.height = spec->size[2];
+  def.base = spec->at;
+  def.axis = spec->axis;
+  def.open_top = spec->open_top;
+  return packing_domain_create_tube(context, &def, domain);
+}
+
+static packing_status create_cone(packing_context *context, const domain_spec *spec,
+                                  packing_domain **domain)
+{
+  packing_domain_cone_def def;
+  packing_domain_cone_def_init(&def);
+  def.bottom_radius = spec->size[0];
+  def.top_radius = spec->size[1];
+  def.height = spec->size[2];
+  def.base = spec->at;
+  def.axis = spec->axis;
+  def.open_top = spec->open_top;
+  return packing_domain_create_cone(context, &def, domain);
+}
+
+static packing_status create_silo(packing_context *context, const domain_spec *spec,
+                                  packing_domain **domain)
+{
+  packing_domain_silo_def def;
+  packing_domain_silo_def_init(&def);
+  def.radius = spec->size[0];
+  def.height = spec->size[1];
+  def.outlet_radius = spec->size[2];
+  def.hopper_height = spec->size[3];
+  def.base = spec->at;
+  def.axis = spec->axis;
+  def.open_top = spec->open_top;
+  return packing_domain_create_silo(context, &def, domain);
+}
+
+static packing_status create_sphere(packing_context *context, const domain_spec *spec,
+                                    packing_domain **domain)
+{
+  packing_domain_sphere_def def;
+  packing_domain_sphere_def_init(&def);
+  def.radius = spec->size[0];
+  def.centre = spec->at;
+  return packing_domain_create_sphere(context, &def, domain);
+}
+
+int domain_spec_create(packing_context *context, const domain_spec *spec,
+                       packing_domain **domain)
+{
+  static packing_status (*const create[])(packing_context *, const domain_spec *,
+                                          packing_domain **) = {
+      [DOMAIN_BOX] = create_box,           [DOMAIN_RECT] = create_flat,
+      [DOMAIN_CYLINDER] = create_cylinder, [DOMAIN_TUBE] = create_tube,
+      [DOMAIN_CONE] = create_cone,         [DOMAIN_SILO] = create_silo,
+      [DOMAIN_SPHERE] = create_sphere,     [DOMAIN_CIRCLE] = create_flat,
+      [DOMAIN_ANNULUS] = create_flat};
+  const packing_status status = create[spec->kind](context, spec, domain);
+  return status == PACKING_OK ? 0 : program_status(context, status, "--domain");
+}

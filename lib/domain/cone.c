@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Cone or truncated cone, either end up: a trapezium turned about its side (revolution.c). With
+ * an open top the wall goes on above it along the cone. */
+#include "domain_kinds.h"
+
+static const packing_i_domain_ops cone_ops = {
+    .name = "cone",
+    .reference = "convex profile; cut volumes by slices (lenses of two discs)",
+    .signed_distance = packing_i_revolution_signed_distance,
+    .holds = packing_i_revolution_holds,
+    .inset = packing_i_revolution_inset,
+    .sphere_volume = packing_i_revolution_sphere_volume,
+};
+
+void packing_domain_cone_def_fill(packing_domain_cone_def *def, size_t size)
+{
+  packing_domain_cone_def defaults = {.axis = PACKING_AXIS_Z};
+  packing_i_def_fill(def, size, &defaults, sizeof defaults);
+}
+
+packing_status packing_domain_create_cone(packing_context *context,
+                                          const packing_domain_cone_def *def,
+                                          packing_domain **domain)
+{
+  packing_domain_cone_def d;
+  PACKING_I_TRY(packing_i_domain_begin(context, def, domain));
+  PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_domain_cone, open_top, def, &d));
+  PACKING_I_TRY(packing_i_check_not_negative(context, "bottom_radius", d.bottom_radius));
+  PACKING_I_TRY(packing_i_check_not_negative(context, "top_radius", d.top_radius));
+  if (d.bottom_radius == 0 && d.top_radius == 0)
+    return packing_i_fail(context, PACKING_ERR_RANGE, "top_radius", PACKING_NO_INDEX,
+                          "bottom_radius and top_radius must not both be 0");
+  PACKING_I_TRY(packing_i_check_positive(context, "height", d.height));
+  const packing_i_revolution_def profile = {
+      .base = d.base,
+      .axis = d.axis,
+      .open_top = d.open_top,
+      .height = d.height,
+      .corners = 4,
+      .rho = {0, d.bottom_radius, d.top_radius, 0},
+      .h = {0, 0, d.height, d.height},
+  };
+  return packing_i_revolution_create(context, &cone_ops, &profile, domain);
+}

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef PACKING_MEASURE_INTERNAL_H
+#define PACKING_MEASURE_INTERNAL_H
+
+/* What the measures share: checks of views, blocks, sums that keep what rounding drops. */
+
+#include "base_internal.h"
+#include <math.h>
+#include <packing/measure.h>
+
+enum { PACKING_I_MEASURE_BLOCK = 4096 /* particles of a parallel block */ };
+
+static inline size_t packing_i_measure_blocks(size_t count)
+{
+  return (count + PACKING_I_MEASURE_BLOCK - 1) / PACKING_I_MEASURE_BLOCK;
+}
+
+static inline size_t packing_i_measure_block_end(size_t block, size_t count)
+{
+  const size_t first = block * PACKING_I_MEASURE_BLOCK;
+  return count - first < PACKING_I_MEASURE_BLOCK ? count
+                                                 : first + PACKING_I_MEASURE_BLOCK;
+}
+
+/* A sum and what rounding left out of it (A. Neumaier, Z. Angew. Math. Mech. 54, 1974, p. 39).
+ * Added in a fixed order it is the same for any number of threads. */
+typedef struct packing_i_sum {
+  double sum;
+  double rest;
+} packing_i_sum;
+
+static inline void packing_i_sum_add(packing_i_sum *s, double v)
+{
+  const double t = s->sum + v;
+  s->rest += fabs(s->sum) >= fabs(v) ? (s->sum - t) + v : (v - t) + s->sum;
+  s->sum = t;
+}
+
+static inline double packing_i_sum_value(const packing_i_sum *s)
+{
+  return s->sum + s->rest;
+}
+
+/* Today's copy of the caller's view. */
+packing_status packing_i_measure_view(packing_context *context, const packing_view *view,
+                                      packing_view *copy);
+
+/* Whether particle i has finite numbers (z only where it counts) and r > 0. */
+int packing_i_measure_is_good(const packing_view *view, size_t i, int flat);
+
+/* All particles are; the message names the first that is not. */
+packing_status packing_i_measure_check(packing_context *context, const packing_view *view,
+                                       int flat);
+
+#endif

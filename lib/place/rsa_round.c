@@ -1,0 +1,387 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "rsa_round.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  COUNTS_A_UNIT = 1 << 16,
+  DARTS_A_BLOCK = 1024,
+  BLOCKS_A_UNIT = 16,
+  CANDIDATES_A_UNIT = 1 << 15,
+  CANDIDATES_A_BLOCK = 2048,
+  PURPOSE_COUNT = 64, /* streams of our own beside PACKING_PURPOSE_POSITION */
+  PURPOSE_TIME = 65
+};
+
+enum { REFUSED, ACCEPTED, UNSETTLED };
+
+static void open_key(uint64_t seed, uint64_t stream, uint32_t purpose, uint32_t key[2])
+{
+  packing_i_stream s;
+  packing_i_stream_open(&s, seed, stream, purpose, 0);
+  key[0] = s.key[0];
+  key[1] = s.key[1];
+}
+
+packing_status packing_i_rsa_round_init(packing_i_rsa_round *round,
+                                        packing_context *context, uint64_t seed,
+                                        uint64_t stream)
+{
+  const packing_allocator *allocator = packing_i_allocator(context);
+  open_key(seed, stream, PACKING_PURPOSE_POSITION, round->key);
+  open_key(seed, stream, PURPOSE_TIME, round->time_key);
+  packing_i_stream_open(&round->counts, seed, stream, PURPOSE_COUNT, 0);
+  round->scratch =
+      packing_i_alloc(allocator, DARTS_A_BLOCK * BLOCKS_A_UNIT, sizeof *round->scratch);
+  round->scratch_count =
+      packing_i_alloc(allocator, BLOCKS_A_UNIT, sizeof *round->scratch_count);
+  if (round->scratch == NULL || round->scratch_count == NULL)
+    return packing_i_nomem(context);
+  return PACKING_OK;
+}
+
+void packing_i_rsa_round_release(packing_i_rsa_round *round, packing_context *context)
+{
+  const packing_allocator *allocator = packing_i_allocator(context);
+  packing_i_free(allocator, round->first);
+  packing_i_free(allocator, round->candidate);
+  packing_i_free(allocator, round->fate);
+  packing_i_free(allocator, round->order);
+  packing_i_free(allocator, round->scratch);
+  packing_i_free(allocator, round->scratch_count);
+}
+
+packing_status packing_i_rsa_round_begin(packing_i_rsa_round *round,
+                                         packing_context *context, size_t darts,
+                                         size_t bins)
+{
+  const packing_allocator *allocator = packing_i_allocator(context);
+  if (bins + 1 > round->first_room) {
+    uint32_t *first = packing_i_alloc(allocator, bins + 1, sizeof *first);
+    if (first == NULL)
+      return packing_i_nomem(context);
+    packing_i_free(allocator, round->first);
+    round->first = first;
+    round->first_room = bins + 1;
+  }
+  memset(round->first, 0, (bins + 1) * sizeof *round->first);
+  round->darts = darts;
+  round->bins = bins;
+  round->number++;
+  round->at = 0;
+  round->candidates = 0;
+  round->accepted = 0;
+  round->stage = PACKING_I_RSA_COUNT;
+  return PACKING_OK;
+}
+
+static void next_stage(packing_i_rsa_round *round, packing_i_rsa_stage stage)
+{
+  round->stage = stage;
+  round->at = 0;
+}
+
+/* How many of the next `unit` items of `total` there are. */
+static size_t portion(const packing_i_rsa_round *round, size_t total, size_t unit)
+{
+  return total - round->at < unit ? total - round->at : unit;
+}
+
+/* Draws the bin of some darts; at the end first[b] is the first dart of bin b. */
+static void count_step(packing_i_rsa_round *round)
+{
+  const size_t n = portion(round, round->darts, COUNTS_A_UNIT);
+  for (size_t i = 0; i < n; i++)
+    round->first[packing_i_stream_below(&round->counts, round->bins) + 1]++;
+  round->at += n;
+  if (round->at < round->darts)
+    return;
+  for (size_t b = 0; b < round->bins; b++)
+    round->first[b + 1] += round->first[b];
+  next_stage(round, PACKING_I_RSA_THROW);
+}
+
+typedef struct round_task {
+  packing_i_rsa_round *round;
+  const packing_i_rsa_scene *scene;
+  size_t count; /* items of this unit, from round->at */
+} round_task;
+
+static void random_of(const packing_i_rsa_round *round, const uint32_t key[2],
+                      size_t dart, uint32_t random[4])
+{
+  const uint32_t counter[4] = {(uint32_t)dart, (uint32_t)(dart >> 32),
+                               (uint32_t)round->number, (uint32_t)(round->number >> 32)};
+  packing_i_philox(counter, key, random);
+}
+
+/* The bin that a dart belongs to. */
+static size_t bin_of(const packing_i_rsa_round *round, size_t dart)
+{
+  size_t low = 0, high = round->bins;
+  while (high - low > 1) {
+    const size_t middle = low + (high - low) / 2;
+    if (round->first[middle] <= dart)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+static void throw_block(void *arg, size_t block)
+{
+  const round_task *task = arg;
+  const packing_i_rsa_round *round = task->round;
+  const packing_i_rsa_scene *scene = task->scene;
+  packing_i_rsa_candidate *out = &round->scratch[block * DARTS_A_BLOCK];
+  const size_t from = round->at + block * DARTS_A_BLOCK;
+  const size_t end = round->at + task->count;
+  const size_t to = from + DARTS_A_BLOCK < end ? from + DARTS_A_BLOCK : end;
+  uint32_t found = 0;
+  size_t bin = bin_of(round, from);
+  for (size_t dart = from; dart < to; dart++) {
+    uint32_t random[4];
+    packing_vec3 p;
+    while (round->first[bin + 1] <= dart)
+      bin++;
+    random_of(round, round->key, dart, random);
+    if (!scene->target.point(scene->target.user, bin, random, &p) ||
+        (!scene->boxlike && !packing_domain_holds(scene->placer->domain, &p, scene->r)) ||
+        !packing_i_rsa_cells_free(scene->cells, p))
+      continue;
+    random_of(round, round->time_key, dart, random);
+    out[found++] =
+        (packing_i_rsa_candidate){p.x, p.y, p.z, (uint64_t)random[1] << 32 | random[0]};
+  }
+  round->scratch_count[block] = found;
+}
+
+/* Room for `more` candidates in each array of them. */
+static packing_status reserve_candidates(packing_i_rsa_round *round,
+                                         packing_context *context, size_t more)
+{
+  const packing_allocator *allocator = packing_i_allocator(context);
+  if (round->candidates + more <= round->room)
+    return PACKING_OK;
+  const size_t room = round->candidates + more + round->room / 2;
+  packing_i_rsa_candidate *candidate = packing_i_regrow(
+      allocator, round->candidate, round->candidates, room, sizeof *candidate);
+  if (candidate == NULL)
+    return packing_i_nomem(context);
+  round->candidate = candidate;
+  packing_i_free(allocator, round->fate);
+  packing_i_free(allocator, round->order);
+  round->room = 0;
+  round->fate = packing_i_alloc(allocator, room, sizeof *round->fate);
+  round->order = packing_i_alloc(allocator, room, sizeof *round->order);
+  if (round->fate == NULL || round->order == NULL)
+    return packing_i_nomem(context);
+  round->room = room;
+  return PACKING_OK;
+}
+
+static packing_status throw_step(packing_i_rsa_round *round,
+                                 const packing_i_rsa_scene *scene)
+{
+  packing_context *context = scene->placer->context;
+  round_task task = {round, scene, 0};
+  task.count = portion(round, round->darts, (size_t)DARTS_A_BLOCK * BLOCKS_A_UNIT);
+  PACKING_I_TRY(reserve_candidates(round, context, task.count));
+  const size_t blocks = (task.count + DARTS_A_BLOCK - 1) / DARTS_A_BLOCK;
+  packing_i_parallel(context, blocks, throw_block, &task);
+  for (size_t b = 0; b < blocks; b++) {
+    memcpy(&round->candidate[round->candidates], &round->scratch[b * DARTS_A_BLOCK],
+           round->scratch_count[b] * sizeof *round->candidate);
+    round->candidates += round->scratch_count[b];
+  }
+  round->at += task.count;
+  if (round->at == round->darts)
+    next_stage(round, PACKING_I_RSA_LINK);
+  return PACKING_OK;
+}
+
+static packing_vec3 place_of(const packing_i_rsa_round *round, size_t i)
+{
+  const packing_i_rsa_candidate *c = &round->candidate[i];
+  return packing_i_vec(c->x, c->y, c->z);
+}
+
+/* Candidates join the chains of their cells, ahead of what stands. */
+static packing_status link_step(packing_i_rsa_round *round,
+                                const packing_i_rsa_scene *scene)
+{
+  packing_i_rsa_cells *cells = scene->cells;
+  packing_particles *store = scene->placer->particles;
+  if (round->at == 0) {
+    PACKING_I_TRY(packing_i_rsa_cells_reserve(cells, scene->placer->context,
+                                              cells->count + round->candidates));
+    if (store->count + round->candidates > store->capacity)
+      PACKING_I_TRY(packing_particles_reserve(store, store->count + round->candidates +
+                                                         store->count / 2));
+    round->base = cells->count;
+  }
+  const size_t n = portion(round, round->candidates, CANDIDATES_A_UNIT);
+  for (size_t i = 0; i < n; i++)
+    packing_i_rsa_cells_insert(cells, place_of(round, round->at + i));
+  round->at += n;
+  if (round->at == round->candidates)
+    next_stage(round, PACKING_I_RSA_DECIDE);
+  return PACKING_OK;
+}
+
+/* Whether an earlier candidate lies within a diameter; of those that are settled only the
+ * accepted count. */
+static int has_earlier(const packing_i_rsa_round *round, const packing_i_rsa_cells *cells,
+                       size_t i, int settling)
+{
+  const packing_i_rsa_candidate *c = &round->candidate[i];
+  packing_i_rsa_near around[27];
+  const size_t n =
+      packing_i_rsa_cells_around(cells, cells->record[round->base + i].cell, around);
+  for (size_t k = 0; k < n; k++) {
+    const packing_vec3 p = packing_i_sub(place_of(round, i), around[k].shift);
+    for (uint32_t at = cells->head[around[k].cell]; at > round->base;
+         at = cells->record[at - 1].next) {
+      const size_t j = at - 1 - round->base;
+      const packing_i_rsa_candidate *q = &round->candidate[j];
+      if (j == i || q->time > c->time || (q->time == c->time && j > i) ||
+          (settling && round->fate[j] != ACCEPTED))
+        continue;
+      const double dx = q->x - p.x, dy = q->y - p.y, dz = q->z - p.z;
+      if (dx * dx + dy * dy + dz * dz < cells->diameter2)
+        return 1;
+    }
+  }
+  return 0;
+}
+
+static void decide_block(void *arg, size_t block)
+{
+  const round_task *task = arg;
+  packing_i_rsa_round *round = task->round;
+  const size_t from = round->at + block * CANDIDATES_A_BLOCK;
+  const size_t end = round->at + task->count;
+  const size_t to = from + CANDIDATES_A_BLOCK < end ? from + CANDIDATES_A_BLOCK : end;
+  for (size_t i = from; i < to; i++)
+    round->fate[i] = has_earlier(round, task->scene->cells, i, 0) ? UNSETTLED : ACCEPTED;
+}
+
+static void decide_step(packing_i_rsa_round *round, const packing_i_rsa_scene *scene)
+{
+  round_task task = {round, scene, portion(round, round->candidates, CANDIDATES_A_UNIT)};
+  packing_i_parallel(scene->placer->context,
+                     (task.count + CANDIDATES_A_BLOCK - 1) / CANDIDATES_A_BLOCK,
+                     decide_block, &task);
+  round->at += task.count;
+  if (round->at == round->candidates)
+    next_stage(round, PACKING_I_RSA_SETTLE);
+}
+
+/* Sifts order[root] down a heap with the latest candidate on top. */
+static void sift(const packing_i_rsa_round *round, size_t root, size_t count)
+{
+  uint32_t *order = round->order;
+  const packing_i_rsa_candidate *c = round->candidate;
+  for (size_t child; (child = 2 * root + 1) < count; root = child) {
+    if (child + 1 < count && (c[order[child + 1]].time > c[order[child]].time ||
+                              (c[order[child + 1]].time == c[order[child]].time &&
+                               order[child + 1] > order[child])))
+      child++;
+    const uint32_t a = order[root], b = order[child];
+    if (c[a].time > c[b].time || (c[a].time == c[b].time && a > b))
+      return;
+    order[root] = b;
+    order[child] = a;
+  }
+}
+
+/* order[] by time, then number: a heap sort needs no memory and no context for a comparison. */
+static void sort_by_time(packing_i_rsa_round *round, size_t count)
+{
+  for (size_t i = count / 2; i-- > 0;)
+    sift(round, i, count);
+  while (count-- > 1) {
+    const uint32_t latest = round->order[0];
+    round->order[0] = round->order[count];
+    round->order[count] = latest;
+    sift(round, 0, count);
+  }
+}
+
+/* Collects the candidates of one fate. */
+static size_t collect(packing_i_rsa_round *round, unsigned char fate)
+{
+  size_t count = 0;
+  for (size_t i = 0; i < round->candidates; i++)
+    if (round->fate[i] == fate)
+      round->order[count++] = (uint32_t)i;
+  return count;
+}
+
+/* Settles the rest by time, takes all candidates out of the chains again, and refuses what comes
+ * too late for `most`. */
+static void settle_step(packing_i_rsa_round *round, const packing_i_rsa_scene *scene,
+                        size_t most)
+{
+  packing_i_rsa_cells *cells = scene->cells;
+  const size_t open = collect(round, UNSETTLED);
+  sort_by_time(round, open);
+  for (size_t k = 0; k < open; k++) {
+    const size_t i = round->order[k];
+    round->fate[i] = has_earlier(round, cells, i, 1) ? REFUSED : ACCEPTED;
+  }
+  for (size_t i = round->candidates; i-- > 0;) {
+    const packing_i_rsa_record *record = &cells->record[round->base + i];
+    cells->head[record->cell] = record->next;
+  }
+  cells->count = round->base;
+  round->accepted = collect(round, ACCEPTED);
+  if (round->accepted > most) {
+    sort_by_time(round, round->accepted);
+    for (size_t k = most; k < round->accepted; k++)
+      round->fate[round->order[k]] = REFUSED;
+  }
+  next_stage(round, PACKING_I_RSA_COMMIT);
+}
+
+static packing_status commit_step(packing_i_rsa_round *round,
+                                  const packing_i_rsa_scene *scene)
+{
+  const size_t n = portion(round, round->candidates, CANDIDATES_A_UNIT);
+  for (size_t i = round->at; i < round->at + n; i++) {
+    if (round->fate[i] != ACCEPTED)
+      continue;
+    packing_i_rsa_cells_insert(scene->cells, place_of(round, i));
+    PACKING_I_TRY(packing_i_placer_put(scene->placer, place_of(round, i), scene->r, 0));
+  }
+  round->at += n;
+  if (round->at == round->candidates)
+    next_stage(round, PACKING_I_RSA_IDLE);
+  return PACKING_OK;
+}
+
+packing_status packing_i_rsa_round_step(packing_i_rsa_round *round,
+                                        const packing_i_rsa_scene *scene, size_t most)
+{
+  switch (round->stage) {
+  case PACKING_I_RSA_IDLE:
+    break;
+  case PACKING_I_RSA_COUNT:
+    count_step(round);
+    break;
+  case PACKING_I_RSA_THROW:
+    return throw_step(round, scene);
+  case PACKING_I_RSA_LINK:
+    return link_step(round, scene);
+  case PACKING_I_RSA_DECIDE:
+    decide_step(round, scene);
+    break;
+  case PACKING_I_RSA_SETTLE:
+    settle_step(round, scene, most);
+    break;
+  case PACKING_I_RSA_COMMIT:
+    return commit_step(round, scene);
+  }
+  return PACKING_OK;
+}

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Questions to a table of panels; see smooth_internal.h. */
+#include "smooth_internal.h"
+#include <math.h>
+
+enum { MOST_STEPS = 100 };
+
+/* The integral of the series from -1 to t, and the series at t: the integral of P_k is
+ * (P_(k+1) - P_(k-1)) / (2 k + 1). */
+static double integrate(const double *term, double t, double *density)
+{
+  double before = 1, p = t; /* P_(k-1), P_k */
+  double share = term[0] * (t + 1), sum = term[0];
+  for (int k = 1; k < PACKING_I_TERMS; k++) {
+    const double after = ((2 * k + 1) * t * p - k * before) / (k + 1);
+    share += term[k] * (after - before) / (2 * k + 1);
+    sum += term[k] * p;
+    before = p;
+    p = after;
+  }
+  *density = sum;
+  return share;
+}
+
+/* Newton's method held in a bracket: t with integral `share`. */
+static double invert(const double *term, double share, double all)
+{
+  double lo = -1, hi = 1, t = 2 * share / all - 1;
+  for (int step = 0; step < MOST_STEPS; step++) {
+    double density;
+    const double excess = integrate(term, t, &density) - share;
+    if (excess < 0)
+      lo = t;
+    else
+      hi = t;
+    double next = t - excess / density;
+    if (!(next >= lo && next <= hi))
+      next = lo + (hi - lo) / 2;
+    const double move = fabs(next - t);
+    t = next;
+    if (move < 1e-10) /* the error is of the order of its square */
+      break;
+  }
+  return t;
+}
+
+double packing_i_smooth_cdf(const packing_psd *psd, packing_by by, double x)
+{
+  const packing_i_smooth *s = (const packing_i_smooth *)psd;
+  const int b = by == PACKING_BY_MASS;
+  size_t lo = 0, hi = s->count;
+  while (hi - lo > 1) {
+    const size_t middle = lo + (hi - lo) / 2;
+    if (s->panel[middle].x <= x)
+      lo = middle;
+    else
+      hi = middle;
+  }
+  const packing_i_panel *panel = &s->panel[lo];
+  double density;
+  const double t = log1p((x - panel->x) / panel->x) / panel->half - 1;
+  const double share = integrate(panel->term[b], fmin(t, 1), &density);
+  return panel->below[b] + fmin(fmax(share, 0), panel->share[b]);
+}
+
+/* The first panel that reaches p; it is not empty. */
+double packing_i_smooth_quantile(const packing_psd *psd, packing_by by, double p)
+{
+  const packing_i_smooth *s = (const packing_i_smooth *)psd;
+  const int b = by == PACKING_BY_MASS;
+  size_t lo = 0, hi = s->count;
+  while (hi - lo > 1) {
+    const size_t middle = lo + (hi - lo) / 2;
+    if (s->panel[middle].below[b] < p)
+      lo = middle;
+    else
+      hi = middle;
+  }
+  const packing_i_panel *panel = &s->panel[lo];
+  const double share = fmin(p - panel->below[b], panel->share[b]);
+  const double t = invert(panel->term[b], share, panel->share[b]);
+  return panel->x + panel->x * expm1(panel->half * (t + 1));
+}
+
+void packing_i_smooth_finish(packing_psd *psd)
+{
+  packing_i_smooth *s = (packing_i_smooth *)psd;
+  packing_i_free(&psd->allocator, s->panel);
+}
