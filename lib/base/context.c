@@ -165,6 +165,7 @@ static void compose(char *line, size_t size, const char *field, const char *form
     line[used] = '\0';
 }
 
+#undef packing_i_fail
 packing_status packing_i_fail(packing_context *context, packing_status status,
                               const char *field, size_t index, const char *format, ...)
 {
