@@ -273,7 +273,7 @@ static void zlib_arrays_come_back(void **state)
   for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
     packing_view view;
     record *a = full_pack(counts[i], &view);
-    test_buffer b = written(NULL, 9, &view);
+    test_buffer b = written(NULL, counts[i] < 2 ? 9 : 1, &view);
     assert_all(&b, a, counts[i]);
     test_buffer_free(&b);
     free(a);
