@@ -25,9 +25,12 @@ rgb rgb_mix(rgb a, rgb b, double t)
   return (rgb){a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b)};
 }
 
+/* The darkest end is left out: shading needs room below. */
+static const double DARKEST = 0.1, ONLY = 0.55;
+
 static rgb map(double t)
 {
-  const double at = fmin(fmax(t, 0), 1) * LAST;
+  const double at = (DARKEST + (1 - DARKEST) * fmin(fmax(t, 0), 1)) * LAST;
   const int below = at < LAST ? (int)at : LAST - 1;
   return rgb_mix(viridis[below], viridis[below + 1], at - below);
 }
@@ -47,6 +50,7 @@ void colours_init(colours *c, const pack *p)
 {
   packing_bounds bounds;
   c->by = p->colour;
+  c->equal = 0;
   c->components = packing_psd_components(p->psd);
   if (c->by == COLOUR_HEIGHT) {
     packing_domain_bounds(p->domain, &bounds);
@@ -56,37 +60,47 @@ void colours_init(colours *c, const pack *p)
       axis_init(&c->scale, bounds.lo.z, bounds.hi.z, 0);
     return;
   }
-  axis_init(&c->scale, packing_psd_min_r(p->psd), packing_psd_max_r(p->psd), 1);
+  const double lo = packing_psd_min_r(p->psd), hi = packing_psd_max_r(p->psd);
+  c->equal = lo == hi;
+  c->only = lo;
+  axis_init(&c->scale, lo, hi, 1);
 }
 
 rgb colours_of(const colours *c, const pack *p, size_t i)
 {
   if (c->by == COLOUR_COMPONENT)
     return categories[pack_component(p, i) % CATEGORIES];
-  return map(axis_place(&c->scale, value_of(c, p, i)));
+  return map(c->equal ? ONLY : axis_place(&c->scale, value_of(c, p, i)));
+}
+
+static void draw_swatch(canvas *sheet, double x, double y, rgb colour, const char *label)
+{
+  cairo_set_source_rgb(sheet->cr, colour.r, colour.g, colour.b);
+  cairo_rectangle(sheet->cr, x, y, 20, 20);
+  cairo_fill(sheet->cr);
+  cairo_set_source_rgb(sheet->cr, 0.2, 0.2, 0.2);
+  canvas_text(sheet, x + 30, y + 16, 17, 0, ALIGN_LEFT, label);
 }
 
 static void draw_swatches(const colours *c, canvas *sheet, double x, double y)
 {
   for (size_t k = 0; k < c->components && k < CATEGORIES; k++) {
     char label[32];
-    const rgb colour = categories[k];
-    const double top = y + 30 * (double)k;
-    cairo_set_source_rgb(sheet->cr, colour.r, colour.g, colour.b);
-    cairo_rectangle(sheet->cr, x, top, 20, 20);
-    cairo_fill(sheet->cr);
     snprintf(label, sizeof label, "%zu", k);
-    cairo_set_source_rgb(sheet->cr, 0.2, 0.2, 0.2);
-    canvas_text(sheet, x + 30, top + 16, 17, 0, ALIGN_LEFT, label);
+    draw_swatch(sheet, x, y + 30 * (double)k, categories[k], label);
   }
 }
+
+enum { STOPS = 20 };
 
 static void draw_ramp(canvas *sheet, double x, double y, double height)
 {
   cairo_pattern_t *ramp = cairo_pattern_create_linear(0, y + height, 0, y);
-  for (int k = 0; k <= LAST; k++)
-    cairo_pattern_add_color_stop_rgb(ramp, (double)k / LAST, viridis[k].r, viridis[k].g,
-                                     viridis[k].b);
+  for (int k = 0; k <= STOPS; k++) {
+    const rgb colour = map((double)k / STOPS);
+    cairo_pattern_add_color_stop_rgb(ramp, (double)k / STOPS, colour.r, colour.g,
+                                     colour.b);
+  }
   cairo_set_source(sheet->cr, ramp);
   cairo_rectangle(sheet->cr, x, y, 20, height);
   cairo_fill(sheet->cr);
@@ -117,6 +131,12 @@ void colours_draw_bar(const colours *c, canvas *sheet, double x, double y, doubl
   height -= 18;
   if (c->by == COLOUR_COMPONENT) {
     draw_swatches(c, sheet, x, y);
+    return;
+  }
+  if (c->equal) {
+    char label[32];
+    snprintf(label, sizeof label, "%.6g", c->only);
+    draw_swatch(sheet, x, y, map(ONLY), label);
     return;
   }
   draw_ramp(sheet, x, y, height);

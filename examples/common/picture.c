@@ -99,7 +99,7 @@ static rgb shade(rgb colour, double nx, double ny, double nz, double darkening)
   const double light = fmax(0, -0.42 * nx + 0.62 * ny + 0.66 * nz);
   const double half = fmax(0, -0.23 * nx + 0.34 * ny + 0.91 * nz);
   const double gloss = 0.28 * pow(half, 40);
-  rgb lit = rgb_mix(BLACK, colour, 0.38 + 0.62 * light);
+  rgb lit = rgb_mix(BLACK, colour, fmin(1, 0.46 + 0.6 * light));
   lit = rgb_mix(lit, WHITE, gloss);
   return rgb_mix(lit, BLACK, 0.72 * darkening);
 }
@@ -263,10 +263,14 @@ static void draw_piece(void *user, packing_vec3 from, packing_vec3 to)
 
 static void draw_outline(drawing *d)
 {
-  cairo_set_source_rgba(d->sheet.cr, 0.12, 0.14, 0.2, 0.75);
-  cairo_set_line_width(d->sheet.cr, 1.3);
   cairo_set_line_cap(d->sheet.cr, CAIRO_LINE_CAP_ROUND);
   outline_trace(d->p->spec, d->view.toward, draw_piece, d);
+  /* A pale seam keeps the line visible on dark particles. */
+  cairo_set_source_rgba(d->sheet.cr, 1, 1, 1, 0.5);
+  cairo_set_line_width(d->sheet.cr, 3.2);
+  cairo_stroke_preserve(d->sheet.cr);
+  cairo_set_source_rgba(d->sheet.cr, 0.12, 0.14, 0.2, 0.9);
+  cairo_set_line_width(d->sheet.cr, 1.3);
   cairo_stroke(d->sheet.cr);
 }
 

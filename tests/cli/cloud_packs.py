@@ -138,7 +138,8 @@ def table_has_notes(program):
 
 
 def any_machine_makes_the_same_bytes(program):
-    arguments = [*BOX, "--psd", "lognormal:0.15,0.4,0.08,0.4", "--target-porosity", "0.75"]
+    arguments = [*BOX, "--psd", "lognormal:0.15,0.4,0.08,0.4", "--target-porosity", "0.75",
+                 "--order", "descending"]
     files = ("pack.csv", "pack.vtp", "pack.data", "pack.xyz", "yade:pack.txt", "pack.png")
     with Folder(program) as folder:
         sets = [name for name in ("avx2", "avx512")
@@ -161,7 +162,7 @@ def seed_and_stream_change_the_pack(program):
 
 
 def mass_and_porosity_are_met(program):
-    sizes = ["--psd", "uniform:0.1,0.2"]
+    sizes = ["--psd", "uniform:0.1,0.2", "--order", "descending"]
     half = 4 / 3 * math.pi * 0.2 ** 3 / 2
     report, _, _ = made(program, *BOX, *sizes, "--mass", "40000", "--density", "2500")
     holds(abs(report["solid_volume"] - 16) <= half, "mass")
@@ -225,7 +226,7 @@ def audit_limit_is_an_option(program):
 
 def mixtures_tell_their_parts(program):
     report, files, _ = made(program, *BOX, "--psd", "0.5*mono:0.3+0.5*mono:0.15",
-                            "--target-porosity", "0.75")
+                            "--target-porosity", "0.75", "--order", "descending")
     particles = rows(files["pack.csv"])
     for p in particles:
         equal(p["component"], 0 if p["r"] == 0.3 else 1, "component")
@@ -268,8 +269,8 @@ def every_law(program):
                      "discrete:0.2=1,0.3=2", "discrete:0.2=1,0.3=2,by=number",
                      "uniform:0.2,0.3,by=mass", "sample:radii.txt",
                      "curve:%s,by=number" % SAND):
-            result = folder.run(*BOX, "--psd", spec, "--count", "20", "--plot-sizes",
-                                "sizes.svg")
+            result = folder.run("--domain", "box:9,9,9", "--psd", spec, "--count", "20",
+                                "--plot-sizes", "sizes.svg")
             equal((result.code, result.err), (DONE, ""), spec)
             equal(strict(result.out)["particles"], 20, spec)
 
