@@ -10,7 +10,8 @@
  *  `by` tells what the shares of the law count: particles, or mass (then a particle weighs
  *  r^dim, so `dim` is 2 for discs). Whatever the law counts, moments, cdf and quantile can
  *  be asked by number and by mass. The law must lie on 0 < min_r <= r <= max_r < infinity;
- *  radii from 1e-200 to 1e200 spanning at most 1:1e30 are accepted.
+ *  radii from 1e-200 to 1e200 spanning at most 1:1e30 are accepted. A cut must keep at least
+ *  1e-15 of its law, and laws narrower than 1e-9 of their mean are to be made mono.
  *
  *  Scaling every length of a def by a power of two scales each draw bit for bit. */
 
@@ -322,9 +323,9 @@ typedef struct packing_psd_sample_def {
   size_t struct_size; /**< set by packing_psd_sample_def_init() */
   size_t count;       /**< radii, at least 1 */
   const double *r;    /**< measured radii [L], any order */
-  double
-      bandwidth; /**< 0 (default): resample; > 0: each radius stands for r exp(bandwidth z),
-       z standard normal cut to [-3, 3] [1] */
+  /** 0 (default): resample; from 1e-9 to 10: each radius stands for r exp(bandwidth z), z
+   *  standard normal cut to [-3, 3] [1]; cdf then costs O(count), quantile 60 times that */
+  double bandwidth;
   packing_by by; /**< what the law counts; default number */
   int dim;       /**< 3: mass goes as r^3 (default); 2: as r^2 */
 } packing_psd_sample_def;
@@ -428,7 +429,8 @@ PACKING_API double packing_psd_cdf(const packing_psd *psd, packing_by by, double
  *  \return [L], in [min_r, max_r], never falling in p but for rounding. Thread-safe */
 PACKING_API double packing_psd_quantile(const packing_psd *psd, packing_by by, double p);
 
-/** Draws one radius, by number. A mixture takes two numbers of the stream, the rest one.
+/** Draws one radius, by number. A mixture and a smoothed sample take two numbers of the
+ *  stream, the rest one.
  *  \param psd the distribution
  *  \param rng the stream
  *  \param[out] component index of the part of a mixture, else 0; NULL is fine
@@ -440,12 +442,12 @@ PACKING_API double packing_psd_draw(const packing_psd *psd, packing_rng *rng,
  *  one-dimensional theory of Farr and Groot (J. Chem. Phys. 131, 244104, 2009): spheres
  *  become rods (chords of the cut pack), rods are laid largest first into the largest gap,
  *  neighbours keep 0.7654 of the shorter rod apart. Equal spheres come out at 0.6435; packs
- *  agree to about 0.01.
+ *  agree to about 0.01. The numerical error is below 1e-4.
  *  \param context NULL is fine; lends memory
  *  \param psd the distribution, of dim 3
  *  \param[out] volume_fraction [1]
  *  \return PACKING_OK; PACKING_ERR_UNSUPPORTED (dim 2); PACKING_ERR_NOMEM. Thread-safe.
- *          About 0.1 s */
+ *          About 0.02 s */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_psd_dense_limit(
     packing_context *context, const packing_psd *psd, double *volume_fraction);
 

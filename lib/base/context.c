@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The context: allocator, log, threads, instruction set, the last failure's line. */
-#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE /* posix_memalign, madvise */
 #include "base_internal.h"
 #include <math.h>
 #include <stdarg.h>
@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <unistd.h>
 #ifdef _OPENMP
 #include <omp.h>
@@ -164,6 +165,7 @@ static void compose(char *line, size_t size, const char *field, const char *form
     line[used] = '\0';
 }
 
+#undef packing_i_fail
 packing_status packing_i_fail(packing_context *context, packing_status status,
                               const char *field, size_t index, const char *format, ...)
 {

@@ -22,19 +22,14 @@ static double signed_distance(const packing_i_domain_body *body,
 static packing_status compute_volume(packing_context *context,
                                      packing_i_domain_body *body)
 {
-  const double tolerance = body->as.custom.volume_tolerance;
+  const packing_i_tolerance tolerance = {0, body->as.custom.volume_tolerance};
   const packing_vec3 nowhere = {0, 0, 0};
-  double volume, error, asked = HUGE_VAL;
-  /* The tolerance is relative to what is not known yet: a first look, then the rest. */
-  for (int look = 0; look < 3; look++) {
-    if (packing_i_subdivide(body, &nowhere, 0, asked, CALLS_FOR_VOLUME, &volume, &error))
-      return packing_i_fail(context, PACKING_ERR_GEOMETRY, "signed_distance",
-                            PACKING_NO_INDEX, "a distance is no number");
-    if (error <= tolerance * volume)
-      break;
-    asked = tolerance * volume;
-  }
-  if (error > tolerance * volume)
+  double volume, error;
+  if (packing_i_subdivide(body, &nowhere, 0, tolerance, CALLS_FOR_VOLUME, &volume,
+                          &error))
+    return packing_i_fail(context, PACKING_ERR_GEOMETRY, "signed_distance",
+                          PACKING_NO_INDEX, "a distance is no number");
+  if (error > tolerance.relative * volume)
     return packing_i_fail(context, PACKING_ERR_GEOMETRY, "volume", PACKING_NO_INDEX,
                           "the computed volume of %g may be wrong by %g, more than "
                           "volume_tolerance allows: state it, or tighten the bounds",
@@ -63,8 +58,8 @@ static int sphere_volume(const packing_i_domain_body *body, const packing_vec3 *
                          double r, double tolerance, double *volume, double *error)
 {
   const double ball = packing_i_ball_volume(body->dim, r);
-  return packing_i_subdivide(body, centre, r, fmax(tolerance, 1e-4) * ball,
-                             CALLS_FOR_BALL, volume, error);
+  const packing_i_tolerance enough = {fmax(tolerance, 1e-4) * ball, 0};
+  return packing_i_subdivide(body, centre, r, enough, CALLS_FOR_BALL, volume, error);
 }
 
 static void inherit(packing_i_domain_body *body, packing_domain *from)

@@ -50,6 +50,16 @@ packing_status packing_i_domain_finish(packing_context *context,
     return packing_i_fail(context, PACKING_ERR_RANGE, field, PACKING_NO_INDEX,
                           "the container's volume is %g, beyond what a double can hold",
                           body->volume);
+  for (int k = 0; k < body->dim; k++) {
+    const double lo = packing_i_component(body->bounds.lo, k);
+    const double hi = packing_i_component(body->bounds.hi, k);
+    if (!(lo < hi) || !isfinite(hi - lo))
+      return packing_i_fail(
+          context, PACKING_ERR_RANGE, field, PACKING_NO_INDEX,
+          "the container reaches from %g to %g: its size is lost against "
+          "its distance from 0",
+          lo, hi);
+  }
   return make(context, body, domain);
 }
 

@@ -111,12 +111,17 @@ int packing_i_round_sphere_volume(const packing_i_domain_body *body,
                                   const packing_vec3 *centre, double r, double tolerance,
                                   double *volume, double *error);
 
+/* An error that is small enough: at most absolute + relative * volume. */
+typedef struct packing_i_tolerance {
+  double absolute, relative;
+} packing_i_tolerance;
+
 /* The volume of the points with a distance >= 0 within the bounds and, when r > 0, within a
- * ball, by subdivision until the estimated error is at most `tolerance` [L^dim] or `calls`
- * distances were asked for. -1: a distance was no number. */
+ * ball, by subdivision until the estimated error is small enough or some `calls` distances
+ * were asked for. -1: a distance was no number. */
 int packing_i_subdivide(const packing_i_domain_body *body, const packing_vec3 *centre,
-                        double r, double tolerance, size_t calls, double *volume,
-                        double *error);
+                        double r, packing_i_tolerance tolerance, size_t calls,
+                        double *volume, double *error);
 
 /* Sets component `axis`. */
 static inline void packing_i_set_component(packing_vec3 *v, int axis, double value)

@@ -4,18 +4,6 @@
 #include "domain_kinds.h"
 #include <math.h>
 
-static packing_status check_interval(packing_context *context, const char *field,
-                                     double size, double corner)
-{
-  PACKING_I_TRY(packing_i_check_positive(context, field, size));
-  const double high = corner + size;
-  if (isfinite(high) && high > corner)
-    return PACKING_OK;
-  return packing_i_fail(context, PACKING_ERR_RANGE, field, PACKING_NO_INDEX,
-                        "%g beside the corner's %g is beyond what a double can hold",
-                        size, corner);
-}
-
 static packing_status check(packing_context *context, int dim,
                             const packing_i_planar_def *def)
 {
@@ -24,9 +12,8 @@ static packing_status check(packing_context *context, int dim,
   if (dim == 2)
     PACKING_I_TRY(packing_i_domain_check_flat(context, "corner.z", def->corner.z));
   for (int k = 0; k < dim; k++)
-    PACKING_I_TRY(check_interval(context, def->size_fields[k],
-                                 packing_i_component(def->size, k),
-                                 packing_i_component(def->corner, k)));
+    PACKING_I_TRY(packing_i_check_positive(context, def->size_fields[k],
+                                           packing_i_component(def->size, k)));
   if (def->periodic >= 1u << dim)
     return packing_i_fail(context, PACKING_ERR_RANGE, "periodic", PACKING_NO_INDEX,
                           "%u names a direction that the container does not have",

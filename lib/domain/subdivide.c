@@ -145,8 +145,8 @@ static int root(const job *j, cell *c)
 }
 
 int packing_i_subdivide(const packing_i_domain_body *body, const packing_vec3 *centre,
-                        double r, double tolerance, size_t calls, double *volume,
-                        double *error)
+                        double r, packing_i_tolerance tolerance, size_t calls,
+                        double *volume, double *error)
 {
   job j = {.body = body, .centre = *centre, .r = r};
   cell whole;
@@ -165,7 +165,8 @@ int packing_i_subdivide(const packing_i_domain_body *body, const packing_vec3 *c
     step_before = step;
     if (isnan(j.volume))
       return -1;
-    if (*error <= tolerance || j.calls > calls / 4)
+    if (*error <= tolerance.absolute + tolerance.relative * j.volume ||
+        j.calls > calls / 4)
       return 0;
   }
   return 0;

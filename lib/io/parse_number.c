@@ -15,23 +15,24 @@ typedef struct decimal {
   int more;     /* one of them is not 0 */
 } decimal;
 
-static int is_digit(char c)
+static inline int is_digit(char c)
 {
-  return c >= '0' && c <= '9';
+  return (unsigned char)(c - '0') <= 9;
 }
 
 static const char *scan_digits(const char *p, decimal *d)
 {
+  uint64_t w = d->w;
+  int digits = d->digits;
+  for (; is_digit(*p) && digits < WORD_DIGITS; p++) {
+    w = w * 10 + (uint64_t)(*p - '0');
+    digits += w != 0;
+  }
+  d->w = w;
+  d->digits = digits;
   for (; is_digit(*p); p++) {
-    if (d->digits < WORD_DIGITS) {
-      d->w = d->w * 10 + (uint64_t)(*p - '0');
-      d->digits += d->w != 0;
-    } else {
-      d->dropped++;
-      d->more |= *p != '0';
-    }
-    if (p - d->first > PACKING_I_NUMBER_LENGTH)
-      break;
+    d->dropped++;
+    d->more |= *p != '0';
   }
   return p;
 }

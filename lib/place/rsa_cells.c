@@ -112,9 +112,9 @@ void packing_i_rsa_cells_insert(packing_i_rsa_cells *cells, packing_vec3 p)
   cells->head[cell] = (uint32_t)++cells->count;
 }
 
-static int chain_free(const packing_i_rsa_cells *c, uint32_t cell, packing_vec3 p)
+static int chain_free(const packing_i_rsa_cells *c, uint32_t head, packing_vec3 p)
 {
-  for (uint32_t at = c->head[cell]; at != 0; at = c->record[at - 1].next) {
+  for (uint32_t at = head; at != 0; at = c->record[at - 1].next) {
     const packing_i_rsa_record *q = &c->record[at - 1];
     const double dx = q->x - p.x, dy = q->y - p.y, dz = q->z - p.z;
     if (dx * dx + dy * dy + dz * dz < c->diameter2)
@@ -160,34 +160,21 @@ size_t packing_i_rsa_cells_around(const packing_i_rsa_cells *cells, uint32_t cel
   return count;
 }
 
-/* Away from the borders the neighbours are rows of three cells. */
-static int inner_free(const packing_i_rsa_cells *c, packing_vec3 p, uint32_t cell)
-{
-  const size_t row = c->n[0], layer = (size_t)c->n[0] * c->n[1];
-  if (!chain_free(c, cell, p))
-    return 0;
-  const size_t first = cell - layer - row - 1;
-  for (size_t k = 0; k < 3; k++)
-    for (size_t j = 0; j < 3; j++)
-      for (size_t i = 0; i < 3; i++)
-        if (!chain_free(c, (uint32_t)(first + k * layer + j * row + i), p))
-          return 0;
-  return 1;
-}
-
 int packing_i_rsa_cells_free(const packing_i_rsa_cells *c, packing_vec3 p)
 {
-  const uint32_t ix = packing_i_rsa_cell_along(p.x, c->lo.x, c->per_edge.x, c->n[0]);
-  const uint32_t iy = packing_i_rsa_cell_along(p.y, c->lo.y, c->per_edge.y, c->n[1]);
-  const uint32_t iz = packing_i_rsa_cell_along(p.z, c->lo.z, c->per_edge.z, c->n[2]);
-  const uint32_t cell = (iz * c->n[1] + iy) * c->n[0] + ix;
-  if (ix > 0 && iy > 0 && iz > 0 && ix + 1 < c->n[0] && iy + 1 < c->n[1] &&
-      iz + 1 < c->n[2])
-    return inner_free(c, p, cell);
+  const uint32_t cell = packing_i_rsa_cell_of(c, p);
+  if (packing_i_rsa_cells_is_inner(c, cell)) {
+    uint32_t list[28];
+    const size_t count = packing_i_rsa_cells_heads(c, cell, 0, list);
+    for (size_t i = 0; i < count; i++)
+      if (!chain_free(c, list[i], p))
+        return 0;
+    return 1;
+  }
   packing_i_rsa_near around[27];
   const size_t count = packing_i_rsa_cells_around(c, cell, around);
   for (size_t i = 0; i < count; i++)
-    if (!chain_free(c, around[i].cell, packing_i_sub(p, around[i].shift)))
+    if (!chain_free(c, c->head[around[i].cell], packing_i_sub(p, around[i].shift)))
       return 0;
   return 1;
 }

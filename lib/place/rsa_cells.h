@@ -64,6 +64,39 @@ void packing_i_rsa_cells_insert(packing_i_rsa_cells *cells, packing_vec3 p);
 /* Whether a particle at p would overlap none. */
 int packing_i_rsa_cells_free(const packing_i_rsa_cells *cells, packing_vec3 p);
 
+/* Away from the borders the cells around a cell are rows of three, without shifts. */
+static inline int packing_i_rsa_cells_is_inner(const packing_i_rsa_cells *c,
+                                               uint32_t cell)
+{
+  const uint32_t ix = cell % c->n[0], row = cell / c->n[0];
+  const uint32_t iy = row % c->n[1], iz = row / c->n[1];
+  return ix > 0 && iy > 0 && iz > 0 && ix + 1 < c->n[0] && iy + 1 < c->n[1] &&
+         iz + 1 < c->n[2];
+}
+
+/* Collects the heads above `least` (0: of all cells that are not empty) of an inner cell and the
+ * cells around it, itself first and again among them. Without branches, which half-empty cells
+ * would mislead. Returns how many. */
+static inline size_t packing_i_rsa_cells_heads(const packing_i_rsa_cells *c,
+                                               uint32_t cell, uint32_t least,
+                                               uint32_t list[28])
+{
+  const size_t row = c->n[0], layer = (size_t)c->n[0] * c->n[1];
+  const uint32_t *first = c->head + (cell - layer - row - 1);
+  size_t count = 0;
+  list[count] = c->head[cell];
+  count += list[count] > least;
+  for (size_t k = 0; k < 3; k++)
+    for (size_t j = 0; j < 3; j++) {
+      const uint32_t *head = first + k * layer + j * row;
+      for (size_t i = 0; i < 3; i++) {
+        list[count] = head[i];
+        count += list[count] > least;
+      }
+    }
+  return count;
+}
+
 /* One of the up to 27 cells around a cell, with the shift that moves its records next to it. */
 typedef struct packing_i_rsa_near {
   uint32_t cell;

@@ -11,7 +11,7 @@
 #include "rsa_voxels.h"
 
 enum {
-  FEW = 8,        /* voxels from here on: fewer than one hit in so many darts */
+  FEW = 64,       /* voxels from here on: fewer than one hit in so many darts */
   STILL_MANY = 2, /* no split while one in so many hits */
   CELLS_A_HIT =
       20, /* a round aims at one hit in so many cells: few of its darts then meet */
@@ -65,7 +65,8 @@ static int row_point(const void *user, size_t bin, const uint32_t random[4],
 {
   const packing_i_rsa_cells *c = &((const equal *)user)->cells;
   const packing_vec3 u = unit_point(random);
-  const double y = (double)(bin % c->n[1]) + u.y, z = (double)(bin / c->n[1]) + u.z;
+  const uint32_t row = (uint32_t)bin;
+  const double y = (double)(row % c->n[1]) + u.y, z = (double)(row / c->n[1]) + u.z;
   *point = keep_point(c, packing_i_vec(c->lo.x + u.x * c->width.x,
                                        c->lo.y + y * c->edge.y, c->lo.z + z * c->edge.z));
   return 1;

@@ -7,7 +7,7 @@ enum {
   COUNTS_A_UNIT = 1 << 16,
   DARTS_A_BLOCK = 1024,
   BLOCKS_A_UNIT = 16,
-  CANDIDATES_A_UNIT = 1 << 15,
+  CANDIDATES_A_UNIT = 1 << 14,
   CANDIDATES_A_BLOCK = 2048,
   PURPOSE_COUNT = 64, /* streams of our own beside PACKING_PURPOSE_POSITION */
   PURPOSE_TIME = 65
@@ -230,29 +230,45 @@ static packing_status link_step(packing_i_rsa_round *round,
   return PACKING_OK;
 }
 
-/* Whether an earlier candidate lies within a diameter; of those that are settled only the
- * accepted count. */
+/* Whether the candidates of a chain, which stand ahead of all else, have one within a diameter
+ * of p that is earlier than candidate i; of those that are settled only the accepted count. */
+static int chain_has_earlier(const packing_i_rsa_round *round,
+                             const packing_i_rsa_cells *cells, uint32_t head,
+                             packing_vec3 p, size_t i, int settling)
+{
+  const uint64_t time = round->candidate[i].time;
+  for (uint32_t at = head; at > round->base; at = cells->record[at - 1].next) {
+    const size_t j = at - 1 - round->base;
+    const packing_i_rsa_candidate *q = &round->candidate[j];
+    if (j == i || q->time > time || (q->time == time && j > i) ||
+        (settling && round->fate[j] != ACCEPTED))
+      continue;
+    const double dx = q->x - p.x, dy = q->y - p.y, dz = q->z - p.z;
+    if (dx * dx + dy * dy + dz * dz < cells->diameter2)
+      return 1;
+  }
+  return 0;
+}
+
 static int has_earlier(const packing_i_rsa_round *round, const packing_i_rsa_cells *cells,
                        size_t i, int settling)
 {
-  const packing_i_rsa_candidate *c = &round->candidate[i];
-  packing_i_rsa_near around[27];
-  const size_t n =
-      packing_i_rsa_cells_around(cells, cells->record[round->base + i].cell, around);
-  for (size_t k = 0; k < n; k++) {
-    const packing_vec3 p = packing_i_sub(place_of(round, i), around[k].shift);
-    for (uint32_t at = cells->head[around[k].cell]; at > round->base;
-         at = cells->record[at - 1].next) {
-      const size_t j = at - 1 - round->base;
-      const packing_i_rsa_candidate *q = &round->candidate[j];
-      if (j == i || q->time > c->time || (q->time == c->time && j > i) ||
-          (settling && round->fate[j] != ACCEPTED))
-        continue;
-      const double dx = q->x - p.x, dy = q->y - p.y, dz = q->z - p.z;
-      if (dx * dx + dy * dy + dz * dz < cells->diameter2)
+  const packing_vec3 p = place_of(round, i);
+  const uint32_t cell = cells->record[round->base + i].cell;
+  if (packing_i_rsa_cells_is_inner(cells, cell)) {
+    uint32_t list[28];
+    const size_t n = packing_i_rsa_cells_heads(cells, cell, (uint32_t)round->base, list);
+    for (size_t k = 0; k < n; k++)
+      if (chain_has_earlier(round, cells, list[k], p, i, settling))
         return 1;
-    }
+    return 0;
   }
+  packing_i_rsa_near around[27];
+  const size_t n = packing_i_rsa_cells_around(cells, cell, around);
+  for (size_t k = 0; k < n; k++)
+    if (chain_has_earlier(round, cells, cells->head[around[k].cell],
+                          packing_i_sub(p, around[k].shift), i, settling))
+      return 1;
   return 0;
 }
 
@@ -275,24 +291,27 @@ static void decide_step(packing_i_rsa_round *round, const packing_i_rsa_scene *s
                      decide_block, &task);
   round->at += task.count;
   if (round->at == round->candidates)
-    next_stage(round, PACKING_I_RSA_SETTLE);
+    next_stage(round, PACKING_I_RSA_SORT);
+}
+
+static int earlier(const packing_i_rsa_round *round, uint32_t a, uint32_t b)
+{
+  const uint64_t ta = round->candidate[a].time, tb = round->candidate[b].time;
+  return ta < tb || (ta == tb && a < b);
 }
 
 /* Sifts order[root] down a heap with the latest candidate on top. */
 static void sift(const packing_i_rsa_round *round, size_t root, size_t count)
 {
   uint32_t *order = round->order;
-  const packing_i_rsa_candidate *c = round->candidate;
   for (size_t child; (child = 2 * root + 1) < count; root = child) {
-    if (child + 1 < count && (c[order[child + 1]].time > c[order[child]].time ||
-                              (c[order[child + 1]].time == c[order[child]].time &&
-                               order[child + 1] > order[child])))
+    if (child + 1 < count && earlier(round, order[child], order[child + 1]))
       child++;
-    const uint32_t a = order[root], b = order[child];
-    if (c[a].time > c[b].time || (c[a].time == c[b].time && a > b))
+    const uint32_t top = order[root];
+    if (!earlier(round, top, order[child]))
       return;
-    order[root] = b;
-    order[child] = a;
+    order[root] = order[child];
+    order[child] = top;
   }
 }
 
@@ -309,6 +328,39 @@ static void sort_by_time(packing_i_rsa_round *round, size_t count)
   }
 }
 
+/* Hoare's partition: returns the end of a part, neither empty nor all, none of which is later than
+ * any of the rest. Times are random, so the middle is as good a pivot as any. */
+static size_t partition(const packing_i_rsa_round *round, size_t low, size_t high)
+{
+  uint32_t *order = round->order;
+  const uint32_t pivot = order[low + (high - 1 - low) / 2];
+  for (;; low++) {
+    while (earlier(round, order[low], pivot))
+      low++;
+    high--;
+    while (earlier(round, pivot, order[high]))
+      high--;
+    if (low >= high)
+      return high + 1;
+    const uint32_t later = order[low];
+    order[low] = order[high];
+    order[high] = later;
+  }
+}
+
+/* Moves the `first` earliest of order[] to its front. */
+static void select_by_time(packing_i_rsa_round *round, size_t count, size_t first)
+{
+  size_t low = 0, high = count;
+  while (low < first && first < high) {
+    const size_t middle = partition(round, low, high);
+    if (first < middle)
+      high = middle;
+    else
+      low = middle;
+  }
+}
+
 /* Collects the candidates of one fate. */
 static size_t collect(packing_i_rsa_round *round, unsigned char fate)
 {
@@ -319,26 +371,45 @@ static size_t collect(packing_i_rsa_round *round, unsigned char fate)
   return count;
 }
 
-/* Settles the rest by time, takes all candidates out of the chains again, and refuses what comes
- * too late for `most`. */
-static void settle_step(packing_i_rsa_round *round, const packing_i_rsa_scene *scene,
-                        size_t most)
+/* Lists the unsettled by time. */
+static void sort_step(packing_i_rsa_round *round)
+{
+  round->unsettled = collect(round, UNSETTLED);
+  sort_by_time(round, round->unsettled);
+  next_stage(round, PACKING_I_RSA_SETTLE);
+}
+
+/* Settles the rest by time. */
+static void settle_step(packing_i_rsa_round *round, const packing_i_rsa_scene *scene)
+{
+  const size_t n = portion(round, round->unsettled, CANDIDATES_A_UNIT);
+  for (size_t k = 0; k < n; k++) {
+    const size_t i = round->order[round->at + k];
+    round->fate[i] = has_earlier(round, scene->cells, i, 1) ? REFUSED : ACCEPTED;
+  }
+  round->at += n;
+  if (round->at == round->unsettled)
+    next_stage(round, PACKING_I_RSA_UNLINK);
+}
+
+/* Takes all candidates out of the chains again, the last one first. */
+static void unlink_step(packing_i_rsa_round *round, const packing_i_rsa_scene *scene)
 {
   packing_i_rsa_cells *cells = scene->cells;
-  const size_t open = collect(round, UNSETTLED);
-  sort_by_time(round, open);
-  for (size_t k = 0; k < open; k++) {
-    const size_t i = round->order[k];
-    round->fate[i] = has_earlier(round, cells, i, 1) ? REFUSED : ACCEPTED;
-  }
   for (size_t i = round->candidates; i-- > 0;) {
     const packing_i_rsa_record *record = &cells->record[round->base + i];
     cells->head[record->cell] = record->next;
   }
   cells->count = round->base;
+  next_stage(round, PACKING_I_RSA_TRIM);
+}
+
+/* Refuses what comes too late for `most`. */
+static void trim_step(packing_i_rsa_round *round, size_t most)
+{
   round->accepted = collect(round, ACCEPTED);
   if (round->accepted > most) {
-    sort_by_time(round, round->accepted);
+    select_by_time(round, round->accepted, most);
     for (size_t k = most; k < round->accepted; k++)
       round->fate[round->order[k]] = REFUSED;
   }
@@ -377,8 +448,17 @@ packing_status packing_i_rsa_round_step(packing_i_rsa_round *round,
   case PACKING_I_RSA_DECIDE:
     decide_step(round, scene);
     break;
+  case PACKING_I_RSA_SORT:
+    sort_step(round);
+    break;
   case PACKING_I_RSA_SETTLE:
-    settle_step(round, scene, most);
+    settle_step(round, scene);
+    break;
+  case PACKING_I_RSA_UNLINK:
+    unlink_step(round, scene);
+    break;
+  case PACKING_I_RSA_TRIM:
+    trim_step(round, most);
     break;
   case PACKING_I_RSA_COMMIT:
     return commit_step(round, scene);

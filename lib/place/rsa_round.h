@@ -36,7 +36,10 @@ typedef enum packing_i_rsa_stage {
   PACKING_I_RSA_THROW,
   PACKING_I_RSA_LINK,
   PACKING_I_RSA_DECIDE,
+  PACKING_I_RSA_SORT,
   PACKING_I_RSA_SETTLE,
+  PACKING_I_RSA_UNLINK,
+  PACKING_I_RSA_TRIM,
   PACKING_I_RSA_COMMIT
 } packing_i_rsa_stage;
 
@@ -59,6 +62,7 @@ typedef struct packing_i_rsa_round {
   uint32_t *order; /* candidates to be settled, by time */
   packing_i_rsa_candidate *scratch;
   uint32_t *scratch_count;
+  size_t unsettled;
   size_t accepted;
 } packing_i_rsa_round;
 

@@ -5,16 +5,25 @@
 
 enum { MOST_STEPS = 100 };
 
-/* The integral of the series from -1 to t, and the series at t: the integral of P_k is
- * (P_(k+1) - P_(k-1)) / (2 k + 1). */
+/* P_(k+1) = a_k t P_k - b_k P_(k-1), with a_k = (2 k + 1) / (k + 1), b_k = k / (k + 1). */
+static const double recur_a[PACKING_I_TERMS] = {
+    1,         3.0 / 2,   5.0 / 3,   7.0 / 4,   9.0 / 5,   11.0 / 6,
+    13.0 / 7,  15.0 / 8,  17.0 / 9,  19.0 / 10, 21.0 / 11, 23.0 / 12,
+    25.0 / 13, 27.0 / 14, 29.0 / 15, 31.0 / 16};
+static const double recur_b[PACKING_I_TERMS] = {
+    0,       1.0 / 2,  2.0 / 3,   3.0 / 4,   4.0 / 5,   5.0 / 6,   6.0 / 7,   7.0 / 8,
+    8.0 / 9, 9.0 / 10, 10.0 / 11, 11.0 / 12, 12.0 / 13, 13.0 / 14, 14.0 / 15, 15.0 / 16};
+
+/* The integral of the series from -1 to t, and the series at t: the integral of (2 k + 1) P_k is
+ * P_(k+1) - P_(k-1), that of P_0 is t + 1. */
 static double integrate(const double *term, double t, double *density)
 {
   double before = 1, p = t; /* P_(k-1), P_k */
   double share = term[0] * (t + 1), sum = term[0];
   for (int k = 1; k < PACKING_I_TERMS; k++) {
-    const double after = ((2 * k + 1) * t * p - k * before) / (k + 1);
-    share += term[k] * (after - before) / (2 * k + 1);
-    sum += term[k] * p;
+    const double after = recur_a[k] * t * p - recur_b[k] * before;
+    share += term[k] * (after - before);
+    sum += (2 * k + 1) * term[k] * p;
     before = p;
     p = after;
   }

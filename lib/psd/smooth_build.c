@@ -78,12 +78,12 @@ static void fit(const packing_i_smooth_builder *b, const double *f, double *term
     double sum = 0;
     for (int i = 0; i < PACKING_I_TERMS; i++)
       sum += b->weight[i] * f[i] * b->legendre[i][k];
-    term[k] = (k + 0.5) * sum;
+    term[k] = sum / 2;
   }
 }
 
 /* Whether the series stands for the density. `log_largest` is -infinity where nothing is known
- * of the panel; else the density may also not fall by more than 1e3 in it, for Newton's sake. */
+ * of the panel; else the density may also not fall by more than a factor 30, for Newton's sake. */
 static int resolved(const packing_i_smooth_builder *b, const double *f,
                     const double *term, double half, double log_largest)
 {
@@ -93,9 +93,10 @@ static int resolved(const packing_i_smooth_builder *b, const double *f,
     least = fmin(least, f[i]);
     slope = fmax(slope, fabs(f[i] - f[i - 1]) / (b->point[i] - b->point[i - 1]));
   }
-  if (isfinite(log_largest) && (log(largest) < log_largest - 1 || least < 1e-3 * largest))
+  if (isfinite(log_largest) && (log(largest) < log_largest - 1 || least < 0.03 * largest))
     return 0;
-  const double tail = fabs(term[PACKING_I_TERMS - 1]) + fabs(term[PACKING_I_TERMS - 2]);
+  const int last = PACKING_I_TERMS - 1;
+  const double tail = (2 * last + 1) * (fabs(term[last]) + fabs(term[last - 1]));
   return largest - least <= 1e-3 * largest ||
          tail <= 1e-13 * largest + 4 * DBL_EPSILON * slope / half;
 }

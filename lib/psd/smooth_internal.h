@@ -20,7 +20,8 @@ typedef struct packing_i_panel {
   double half;     /* half its width in u: u - u(x) = half (t + 1), t in [-1, 1] */
   double below[2]; /* the share below it, by number and by mass */
   double share[2]; /* the share in it */
-  double term[2][PACKING_I_TERMS]; /* of the density of t */
+  double term[2]
+             [PACKING_I_TERMS]; /* the density of t is the sum of (2 k + 1) term_k P_k */
 } packing_i_panel;
 
 typedef struct packing_i_smooth {

@@ -105,6 +105,8 @@ def check_users(root):
         if path.is_relative_to(root / "tests" / "internal"):
             continue
         for _, name in includes(path):
+            if (path.parent / name).is_file():
+                continue
             if pathlib.PurePath(name).name in private or name.startswith("lib/"):
                 yield path, name, "a private header of the library"
 

@@ -88,7 +88,7 @@ static profile profile_of(const scene *s)
 /* The least distance to samples of the walls no farther than `spacing` from each other. */
 static double nearest_sample(const scene *s, packing_vec3 q, double spacing)
 {
-  double nearest = INFINITY;
+  double nearest = HUGE_VAL;
   if (s->kind == SCENE_SPHERE || s->kind == SCENE_CIRCLE || s->kind == SCENE_ANNULUS) {
     const double radii[] = {s->a, s->b};
     for (int k = 0; k < (s->kind == SCENE_ANNULUS ? 2 : 1); k++) {
@@ -299,7 +299,7 @@ static void volumes_and_bounds_agree_with_counts(void **state)
     packing_domain *domain = scene_make(&s);
     const int n = scene_dim(&s) == 2 ? 1500 : 120, m = scene_dim(&s) == 2 ? 1 : n;
     packing_bounds b,
-        seen = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+        seen = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     packing_domain_bounds(domain, &b);
     const packing_vec3 size = {b.hi.x - b.lo.x, b.hi.y - b.lo.y, b.hi.z - b.lo.z};
     size_t inside = 0;

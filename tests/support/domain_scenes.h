@@ -122,7 +122,7 @@ static inline double scene_coordinate(packing_vec3 p, int axis)
 /* p from (along the axis, the next, the one after), cyclically. */
 static inline packing_vec3 scene_point(int axis, double h, double u, double v)
 {
-  double c[3];
+  double c[3] = {0, 0, 0};
   c[axis] = h;
   c[(axis + 1) % 3] = u;
   c[(axis + 2) % 3] = v;
@@ -150,7 +150,7 @@ static inline int scene_pieces(const scene *s, double u, double v, scene_piece p
   case SCENE_BOX:
     if (((s->periodic & 1) || (du >= 0 && du <= s->a)) &&
         ((s->periodic & 2) || (dv >= 0 && dv <= s->b)))
-      piece[0] = s->periodic & 4 ? (scene_piece){-INFINITY, INFINITY, 1}
+      piece[0] = s->periodic & 4 ? (scene_piece){-HUGE_VAL, HUGE_VAL, 1}
                                  : (scene_piece){h, h + s->c, 1};
     return 1;
   case SCENE_CYLINDER:
@@ -176,7 +176,7 @@ static inline int scene_pieces(const scene *s, double u, double v, scene_piece p
     return 1;
   case SCENE_RECTANGLE:
     if ((s->periodic & 1) || (dv >= 0 && dv <= s->a))
-      piece[0] = s->periodic & 2 ? (scene_piece){-INFINITY, INFINITY, 1}
+      piece[0] = s->periodic & 2 ? (scene_piece){-HUGE_VAL, HUGE_VAL, 1}
                                  : (scene_piece){h, h + s->b, 1};
     return 1;
   case SCENE_SPHERE:
