@@ -7,8 +7,10 @@
  *  contexts. Two-dimensional ones lie in the plane z = 0: there z is ignored, "volume" is an
  *  area [L^2] and a "sphere" a disc.
  *
- *  The distance to the wall is positive inside. An open top is no wall, yet it bounds the
- *  region whose volume counts. Periodic directions have no walls. */
+ *  The distance to the wall is positive inside. Periodic directions have no walls. An open top
+ *  is no wall, yet it bounds the region whose volume counts: the walls beside it go on above it
+ *  along their own line (upright in box, rectangle, cylinder, tube and silo, along the cone in
+ *  a cone), and distances are those to the walls so continued. */
 
 #include <packing/types.h>
 
@@ -317,16 +319,17 @@ PACKING_API PACKING_WARN_UNUSED packing_status packing_domain_create_annulus(
 typedef struct packing_domain_custom_def {
   size_t struct_size; /**< set by packing_domain_custom_def_init() */
   int dim;            /**< 2 or 3 (default) */
-  double (*signed_distance)(
-      void *user, const packing_vec3 *point,
-      packing_vec3 *
-          normal); /**< distance to the wall, positive inside, exact inside and never too large in size
-       outside (1-Lipschitz); `normal` (may be NULL) is the unit gradient [L] */
+  /** Distance to the wall [L], positive inside and exact there, never too large in size
+   *  outside (1-Lipschitz). `normal` (may be NULL) is its unit gradient. In two dimensions
+   *  point->z is 0. */
+  double (*signed_distance)(void *user, const packing_vec3 *point, packing_vec3 *normal);
   packing_bounds bounds; /**< a box that holds the container [L] */
   double volume;         /**< [L^3] or [L^2]; 0 (default): computed to volume_tolerance */
   double volume_tolerance; /**< relative error of a computed volume [1], default 1e-4 */
   void *user;              /**< passed to the functions */
-  void (*release)(void *user); /**< called when the domain goes; NULL is fine */
+  /** Called once, when the domain and all its insets are gone, never when making it failed;
+   *  NULL is fine. */
+  void (*release)(void *user);
 } packing_domain_custom_def;
 
 /** Writes the defaults; called through packing_domain_custom_def_init().
@@ -342,25 +345,29 @@ static inline void packing_domain_custom_def_init(packing_domain_custom_def *def
   packing_domain_custom_def_fill(def, sizeof *def);
 }
 
-/** Makes a container from the user's functions, which must be thread-safe.
+/** Makes a container from the user's functions, which must be thread-safe. A volume to be
+ *  computed takes up to some 1e7 distances (a few seconds); `volume_tolerance` 1e-4 takes some
+ *  1e6 in three dimensions.
  *  \param context NULL is fine
  *  \param def options; the sizes have no default
  *  \param[out] domain the container
  *  \return PACKING_OK; PACKING_ERR_INVALID (NaN, infinite, NULL); PACKING_ERR_RANGE;
  *          PACKING_ERR_NOMEM; PACKING_ERR_ABI;
- *          PACKING_ERR_GEOMETRY (a computed volume of 0, a distance that is NaN) */
+ *          PACKING_ERR_GEOMETRY (a computed volume of 0 or beyond volume_tolerance, a
+ *          distance that is NaN) */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_domain_create_custom(
     packing_context *context, const packing_domain_custom_def *def,
     packing_domain **domain);
 
 /** Makes the part of a domain at least `distance` from every wall (an open top is none): the
- *  same kind of container, smaller.
+ *  same kind of container, smaller. Inside it distances to the walls are those of the domain
+ *  less `distance`. Faces may vanish. A distance of 0 gives the domain itself.
  *  \param context NULL is fine
  *  \param domain the container
  *  \param distance >= 0 [L]
  *  \param[out] inset the smaller container
- *  \return PACKING_OK; PACKING_ERR_GEOMETRY (nothing is left); PACKING_ERR_INVALID;
- *          PACKING_ERR_NOMEM */
+ *  \return PACKING_OK; PACKING_ERR_GEOMETRY (nothing with a volume is left);
+ *          PACKING_ERR_INVALID; PACKING_ERR_RANGE; PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_domain_create_inset(packing_context *context, packing_domain *domain,
                             double distance, packing_domain **inset);
@@ -403,7 +410,8 @@ PACKING_API double packing_domain_signed_distance(const packing_domain *domain,
                                                   const packing_vec3 *point,
                                                   packing_vec3 *normal);
 
-/** Whether a whole sphere (disc) lies inside, touching allowed.
+/** Whether a whole sphere (disc) lies inside, touching allowed: the signed distance is at
+ *  least r, without a tolerance.
  *  \param domain the container
  *  \param centre [L]
  *  \param r radius, >= 0 [L]
@@ -411,12 +419,14 @@ PACKING_API double packing_domain_signed_distance(const packing_domain *domain,
 PACKING_API int packing_domain_holds(const packing_domain *domain,
                                      const packing_vec3 *centre, double r);
 
-/** Moves a point into the cell along periodic directions.
+/** Moves a point into the cell along periodic directions, to lo <= x < hi of the bounds. A
+ *  point a rounding error below lo goes to lo.
  *  \param domain the container
  *  \param[in,out] point changed along periodic directions only. Thread-safe */
 PACKING_API void packing_domain_wrap(const packing_domain *domain, packing_vec3 *point);
 
-/** The vector b - a to the nearest image of b.
+/** The vector b - a to the nearest image of b. Swapping a and b changes the sign and nothing
+ *  else; half a period apart, for two points of the cell, it is b - a itself.
  *  \param domain the container
  *  \param a,b points [L]
  *  \return the shortest of all images' vectors [L]. Thread-safe */
@@ -432,12 +442,12 @@ PACKING_API packing_vec3 packing_domain_separation(const packing_domain *domain,
  *  \param centre [L]
  *  \param r radius, > 0 [L]
  *  \param tolerance error allowed, relative to the whole sphere [1], e.g. 1e-9; custom domains
- *         go no further than 1e-4
+ *         go no further than 1e-4, the others than 1e-13
  *  \param[out] volume [L^3], 2D [L^2]
  *  \param[out] error bound (closed forms) or estimate of the error of `volume`, same
  *         dimension; NULL is fine
- *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (tolerance not in (0, 1)).
- *          Thread-safe */
+ *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (r <= 0, tolerance not in
+ *          (0, 1)); PACKING_ERR_GEOMETRY (custom: a distance that is NaN). Thread-safe */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_domain_sphere_volume(const packing_domain *domain, const packing_vec3 *centre,
                              double r, double tolerance, double *volume, double *error);

@@ -2,13 +2,19 @@
 /* Checks of options that several kinds of containers have. */
 #include "domain_kinds.h"
 
+packing_status packing_i_domain_check_given(packing_context *context, const char *field,
+                                            const void *pointer)
+{
+  if (pointer != NULL)
+    return PACKING_OK;
+  return packing_i_fail(context, PACKING_ERR_INVALID, field, PACKING_NO_INDEX, "NULL");
+}
+
 packing_status packing_i_domain_begin(packing_context *context, const void *def,
                                       packing_domain **domain)
 {
-  if (def != NULL && domain != NULL)
-    return PACKING_OK;
-  return packing_i_fail(context, PACKING_ERR_INVALID, def == NULL ? "def" : "domain",
-                        PACKING_NO_INDEX, "NULL");
+  PACKING_I_TRY(packing_i_domain_check_given(context, "def", def));
+  return packing_i_domain_check_given(context, "domain", domain);
 }
 
 packing_status packing_i_domain_check_point(packing_context *context,

@@ -119,9 +119,6 @@ static packing_status check(packing_context *context, const packing_domain_custo
   if (d->dim != 2 && d->dim != 3)
     return packing_i_fail(context, PACKING_ERR_RANGE, "dim", PACKING_NO_INDEX,
                           "%d must be 2 or 3", d->dim);
-  if (d->signed_distance == NULL)
-    return packing_i_fail(context, PACKING_ERR_INVALID, "signed_distance",
-                          PACKING_NO_INDEX, "NULL");
   PACKING_I_TRY(check_bounds(context, d));
   PACKING_I_TRY(packing_i_check_not_negative(context, "volume", d->volume));
   PACKING_I_TRY(
@@ -154,6 +151,9 @@ packing_status packing_domain_create_custom(packing_context *context,
   packing_domain_custom_def d;
   PACKING_I_TRY(packing_i_domain_begin(context, def, domain));
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_domain_custom, release, def, &d));
+  if (d.signed_distance == NULL)
+    return packing_i_fail(context, PACKING_ERR_INVALID, "signed_distance",
+                          PACKING_NO_INDEX, "NULL");
   PACKING_I_TRY(check(context, &d));
   packing_i_domain_body body = packing_i_domain_body_new(&custom_ops, d.dim);
   body.bounds = d.bounds;

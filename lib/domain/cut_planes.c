@@ -17,6 +17,7 @@
  * the corner with c = 0. Error: a few roundings of the whole ball; a cap alone is exact to a
  * few roundings of itself. At most 27 terms. */
 #include "domain_kinds.h"
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 
@@ -116,6 +117,7 @@ static double all_terms(int dim, double r, const double lo[3], const double hi[3
 double packing_i_cut_planes(int dim, double r, const double lo[3], const double hi[3],
                             double *error)
 {
+  assert(dim == 2 || dim == 3);
   double box = 1, corner2_of_box = 0;
   for (int k = 0; k < dim; k++) {
     const double far = -lo[k] > hi[k] ? -lo[k] : hi[k];

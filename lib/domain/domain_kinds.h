@@ -19,7 +19,9 @@ packing_status packing_i_domain_finish(packing_context *context,
                                        const packing_i_domain_body *body,
                                        const char *field, packing_domain **domain);
 
-/* Checks of fields that several kinds have. */
+/* Checks of arguments and fields that several calls have. */
+packing_status packing_i_domain_check_given(packing_context *context, const char *field,
+                                            const void *pointer);
 packing_status packing_i_domain_check_point(packing_context *context,
                                             const char *const fields[3],
                                             const packing_vec3 *point);

@@ -33,7 +33,7 @@ static double square(double x)
 /* The cell's volume, or the ball's part in it. */
 static double content(const job *j, const cell *c)
 {
-  double product = 1, lo[3], hi[3], error;
+  double product = 1, lo[3] = {0, 0, 0}, hi[3] = {0, 0, 0}, error;
   for (int k = 0; k < j->body->dim; k++) {
     const double x = c->middle[k] - packing_i_component(j->centre, k);
     lo[k] = x - c->half[k];
@@ -93,6 +93,7 @@ static double inside_part(const job *j, const cell *c, double distance,
   return isnan(distance) ? distance : above_plane(distance, m);
 }
 
+/* Recursion goes no deeper than LAST_LEVEL. */
 static void visit(job *j, const cell *c, int levels)
 {
   const int dim = j->body->dim;

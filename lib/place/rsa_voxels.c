@@ -80,9 +80,10 @@ packing_vec3 packing_i_rsa_voxel_point(const packing_i_rsa_voxels *voxels,
 {
   const double part = ldexp(1.0, -voxels->level);
   const uint32_t nx = cells->n[0], ny = cells->n[1];
+  const uint32_t k = voxel.cell / nx / ny;
   const double x = (double)(voxel.cell % nx) + ((double)voxel.at[0] + t.x) * part;
   const double y = (double)(voxel.cell / nx % ny) + ((double)voxel.at[1] + t.y) * part;
-  const double z = (double)(voxel.cell / nx / ny) + ((double)voxel.at[2] + t.z) * part;
+  const double z = (double)k + ((double)voxel.at[2] + t.z) * part;
   return packing_i_vec(cells->lo.x + x * cells->edge.x, cells->lo.y + y * cells->edge.y,
                        cells->lo.z + z * cells->edge.z);
 }
@@ -95,10 +96,10 @@ typedef struct near_centres {
 
 static packing_vec3 corner_of(const packing_i_rsa_cells *cells, uint32_t cell)
 {
-  const uint32_t nx = cells->n[0], ny = cells->n[1];
+  const uint32_t nx = cells->n[0], ny = cells->n[1], k = cell / nx / ny;
   return packing_i_vec(cells->lo.x + (double)(cell % nx) * cells->edge.x,
                        cells->lo.y + (double)(cell / nx % ny) * cells->edge.y,
-                       cells->lo.z + (double)(cell / nx / ny) * cells->edge.z);
+                       cells->lo.z + (double)k * cells->edge.z);
 }
 
 static void gather(const packing_i_rsa_cells *cells, uint32_t cell, near_centres *near)

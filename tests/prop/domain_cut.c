@@ -85,7 +85,7 @@ static void cuts_agree_with_lines(void **state)
   (void)state;
   for (int kind = 0; kind < SCENE_END; kind++) {
     scene s = scene_of((enum scene_kind)kind);
-    hold_against_slow(&s, 11 + (uint64_t)kind, 40);
+    hold_against_slow(&s, 11 + (uint64_t)kind, 20);
   }
 }
 
@@ -105,7 +105,7 @@ static void cuts_agree_with_lines_in_unusual_shapes(void **state)
       {SCENE_SILO, 0.93, 2.1, 0.9, 0.01, {0.2, -0.4, 0.1}, 1, 0, 0},
   };
   for (size_t i = 0; i < sizeof unusual / sizeof *unusual; i++)
-    hold_against_slow(&unusual[i], 101 + i, 25);
+    hold_against_slow(&unusual[i], 101 + i, 12);
 }
 
 /* Boxes that fill space share a ball out among them without loss. */

@@ -165,7 +165,7 @@ static void distances_agree_with_samples_of_the_walls(void **state)
     const double spacing = scene_dim(&s) == 2 ? 0.001 : 0.02;
     packing_domain *domain = scene_make(&s);
     uint64_t random = 17 + (uint64_t)i;
-    for (int k = 0; k < 40; k++) {
+    for (int k = 0; k < 20; k++) {
       const packing_vec3 p = scene_random_point(&random, domain, 0.3);
       const double sampled = nearest_sample(&s, p, spacing);
       const double d = fabs(distance(domain, p));
@@ -297,7 +297,7 @@ static void volumes_and_bounds_agree_with_counts(void **state)
   for (int i = 0; i < SCENES; i++) {
     const scene s = nth_scene(i);
     packing_domain *domain = scene_make(&s);
-    const int n = scene_dim(&s) == 2 ? 1500 : 120, m = scene_dim(&s) == 2 ? 1 : n;
+    const int n = scene_dim(&s) == 2 ? 1500 : 100, m = scene_dim(&s) == 2 ? 1 : n;
     packing_bounds b,
         seen = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     packing_domain_bounds(domain, &b);
@@ -362,7 +362,7 @@ static void insets_take_their_distance_off(void **state)
       packing_domain_bounds(inset, &b);
       packing_domain_bounds(domain, &outer);
       assert_string_equal(packing_domain_kind(inset), packing_domain_kind(domain));
-      size_t inside = 0, all = 40000;
+      size_t inside = 0, all = 20000;
       for (size_t k = 0; k < all; k++) {
         const packing_vec3 p = scene_random_point(&random, domain, 0.05);
         const double before = distance(domain, p), after = distance(inset, p);

@@ -329,9 +329,9 @@ static void insets_refuse(void **state)
   assert_fails(context, packing_domain_create_inset(context, box, 0.5, &inset),
                PACKING_ERR_GEOMETRY, "distance");
   assert_fails(context, packing_domain_create_inset(context, NULL, 0.5, &inset),
-               PACKING_ERR_INVALID, "def");
-  assert_fails(context, packing_domain_create_inset(context, box, 0.1, NULL),
                PACKING_ERR_INVALID, "domain");
+  assert_fails(context, packing_domain_create_inset(context, box, 0.1, NULL),
+               PACKING_ERR_INVALID, "inset");
   assert_null(inset);
   packing_domain_destroy(box);
   packing_context_destroy(context);
