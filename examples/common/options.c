@@ -258,7 +258,7 @@ int options_parse(const struct argp *own, int argc, char **argv, void *input)
 void options_init(options *o)
 {
   memset(o, 0, sizeof *o);
-  o->mass = o->porosity = NAN;
+  o->mass = o->porosity = (double)NAN;
   o->density = 1000;
   o->seed = 1;
   o->max_overlap = 1e-9;
