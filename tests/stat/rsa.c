@@ -178,7 +178,7 @@ static void sizes_are_those_asked(void **state)
     packing_placer *placer = NULL;
     packing_rsa_def def;
     packing_rsa_def_init(&def);
-    def.volume_fraction = 0.33;
+    def.volume_fraction = order == PACKING_ORDER_DRAWN ? 0.29 : 0.35;
     def.order = (packing_order)order;
     assert_ok(packing_rsa_create(NULL, &def, domain, psd, store, &placer));
     assert_int_equal(test_run(placer).state, PACKING_PLACER_DONE);

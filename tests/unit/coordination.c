@@ -143,7 +143,7 @@ static void removal_goes_on_until_nothing_more_falls(void **state)
   assert_int_equal(r.histogram[2], 2);
   assert_int_equal(r.rattlers, 6);
   assert_true(isnan(r.mean_no_rattlers));
-  assert_close(r.mean, 3, 1e-15);
+  assert_close(r.mean, 3.0, 1e-15);
   p->view.count = 7;
   assert_int_equal(measure(p, NULL, 3, 1e-9).rattlers, 7);
   free(p);

@@ -95,7 +95,7 @@ static void walls_of_some_axes_bound_the_inner_region(void **state)
   packing_domain *slab = test_box(10, 10, 10, PACKING_PERIODIC_X | PACKING_PERIODIC_Y);
   add(p, 0, 0, 5, 0.5);
   const packing_volume_report r = measure(p, slab, 4);
-  assert_close(r.inner_volume, 600, 1e-14);
+  assert_close(r.inner_volume, 600.0, 1e-14);
   assert_close(r.inner_fraction, pi / 6 / 600, 1e-14);
   packing_domain_destroy(slab);
   free(p);
