@@ -10,7 +10,7 @@
 #include "colours.h"
 #include "outline.h"
 #include "raster.h"
-#include "view.h"
+#include "camera.h"
 
 enum {
   FIELD = 1080, /* longest edge of the drawing, pixels */
@@ -26,7 +26,7 @@ static const rgb WHITE = {1, 1, 1}, BLACK = {0.03, 0.04, 0.09};
 
 typedef struct drawing {
   const pack *p;
-  view view;
+  camera camera;
   double lo[2], hi[2]; /* of the drawing, unscaled */
   int width, height;   /* of the field, pixels */
   circle *circles;
@@ -49,24 +49,24 @@ static void widen_piece(void *user, packing_vec3 from, packing_vec3 to)
 {
   drawing *d = user;
   (void)to;
-  widen(d, view_project(&d->view, from), 0);
+  widen(d, camera_project(&d->camera, from), 0);
 }
 
 /* The view in pixels of the sheet's field, everything in it. */
 static void lay_out(drawing *d)
 {
-  view_init(&d->view, d->p->spec->dim);
-  d->lo[0] = d->lo[1] = INFINITY;
-  d->hi[0] = d->hi[1] = -INFINITY;
-  outline_trace(d->p->spec, d->view.toward, widen_piece, d);
+  camera_init(&d->camera, d->p->spec->dim);
+  d->lo[0] = d->lo[1] = (double)INFINITY;
+  d->hi[0] = d->hi[1] = -(double)INFINITY;
+  outline_trace(d->p->spec, d->camera.toward, widen_piece, d);
   for (size_t i = 0; i < d->p->view.count; i++)
-    widen(d, view_project(&d->view, pack_centre(d->p, i)), pack_radius(d->p, i));
+    widen(d, camera_project(&d->camera, pack_centre(d->p, i)), pack_radius(d->p, i));
   const double w = d->hi[0] - d->lo[0], h = d->hi[1] - d->lo[1];
-  d->view.scale = FIELD / fmax(w, h);
-  d->width = (int)ceil(w * d->view.scale) + 4;
-  d->height = (int)ceil(h * d->view.scale) + 4;
-  d->view.x = 2 - d->lo[0] * d->view.scale;
-  d->view.y = 2 - d->lo[1] * d->view.scale;
+  d->camera.scale = FIELD / fmax(w, h);
+  d->width = (int)ceil(w * d->camera.scale) + 4;
+  d->height = (int)ceil(h * d->camera.scale) + 4;
+  d->camera.x = 2 - d->lo[0] * d->camera.scale;
+  d->camera.y = 2 - d->lo[1] * d->camera.scale;
 }
 
 static packing_status rasterise(drawing *d)
@@ -77,10 +77,10 @@ static packing_status rasterise(drawing *d)
   if (!d->circles)
     return PACKING_ERR_NOMEM;
   for (size_t i = 0; i < count; i++) {
-    const spot s = view_project(&d->view, pack_centre(d->p, i));
+    const spot s = camera_project(&d->camera, pack_centre(d->p, i));
     d->circles[i] = (circle){.x = FINE * s.x,
                              .y = FINE * s.y,
-                             .r = FINE * d->view.scale * pack_radius(d->p, i),
+                             .r = FINE * d->camera.scale * pack_radius(d->p, i),
                              .depth = FINE * s.depth,
                              .index = i};
   }
@@ -254,7 +254,7 @@ static int hidden(const drawing *d, spot s)
 static void draw_piece(void *user, packing_vec3 from, packing_vec3 to)
 {
   drawing *d = user;
-  const spot a = view_project(&d->view, from), b = view_project(&d->view, to);
+  const spot a = camera_project(&d->camera, from), b = camera_project(&d->camera, to);
   if (hidden(d, a) || hidden(d, b))
     return;
   cairo_move_to(d->sheet.cr, a.x, a.y);
@@ -264,7 +264,7 @@ static void draw_piece(void *user, packing_vec3 from, packing_vec3 to)
 static void draw_outline(drawing *d)
 {
   cairo_set_line_cap(d->sheet.cr, CAIRO_LINE_CAP_ROUND);
-  outline_trace(d->p->spec, d->view.toward, draw_piece, d);
+  outline_trace(d->p->spec, d->camera.toward, draw_piece, d);
   /* A pale seam keeps the line visible on dark particles. */
   cairo_set_source_rgba(d->sheet.cr, 1, 1, 1, 0.5);
   cairo_set_line_width(d->sheet.cr, 3.2);

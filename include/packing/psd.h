@@ -446,7 +446,8 @@ PACKING_API double packing_psd_draw(const packing_psd *psd, packing_rng *rng,
  *  \param context NULL is fine; lends memory
  *  \param psd the distribution, of dim 3
  *  \param[out] volume_fraction [1]
- *  \return PACKING_OK; PACKING_ERR_UNSUPPORTED (dim 2); PACKING_ERR_NOMEM. Thread-safe.
+ *  \return PACKING_OK; PACKING_ERR_INVALID (NULL); PACKING_ERR_UNSUPPORTED (dim 2);
+ *          PACKING_ERR_NOMEM. Thread-safe.
  *          About 0.02 s */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_psd_dense_limit(
     packing_context *context, const packing_psd *psd, double *volume_fraction);

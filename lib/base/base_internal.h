@@ -37,13 +37,15 @@ __attribute__((format(printf, 5, 6)))
 packing_status
 packing_i_fail(packing_context *context, packing_status status, const char *field,
                size_t index, const char *format, ...);
-#if defined(__clang_analyzer__)
-/* Shows the analyzer, which sees one file at a time, that a failure is not PACKING_OK. */
-#define packing_i_fail(context, status, ...) (status)
-#endif
 
 /* The same for memory. */
 packing_status packing_i_nomem(packing_context *context);
+
+#if defined(__clang_analyzer__)
+/* Shows the analyzer, which sees one file at a time, that a failure is not PACKING_OK. */
+#define packing_i_fail(context, status, ...) (status)
+#define packing_i_nomem(context) PACKING_ERR_NOMEM
+#endif
 
 /* Logs a warning; it is no failure and leaves packing_context_message() alone. */
 #if defined(__GNUC__)

@@ -2,6 +2,7 @@
 /* Sorting particles into rows: radix sort by cell, merge sort along a row. Both are stable, so
  * equal keys stay in the order of the view. */
 #include "grid/grid_internal.h"
+#include <assert.h>
 #include <string.h>
 
 typedef packing_i_grid_record record;
@@ -50,6 +51,7 @@ static void radix_sort(record *records, record *spare, size_t count, int by_c)
   if (count < 2 || least == most)
     return;
   const int bits = bit_length(most - least);
+  assert(bits > 0);
   const int passes = (bits + DIGIT_BITS - 1) / DIGIT_BITS;
   const int digit = (bits + passes - 1) / passes;
   record *from = records, *to = spare;

@@ -64,10 +64,10 @@ static packing_status understand(const packing_i_table *t, int *dim, unsigned *c
 static packing_status check_row(const packing_i_table *t, const packing_i_cell *cells,
                                 unsigned r)
 {
-  if (cells[r * BATCH].real > 0)
+  if (cells[(size_t)r * BATCH].real > 0)
     return PACKING_OK;
   return packing_i_lines_fail(&t->lines, PACKING_ERR_FORMAT, "r: %g must be above 0",
-                              cells[r * BATCH].real);
+                              cells[(size_t)r * BATCH].real);
 }
 
 /* Shows the cells of a batch as a view. */
@@ -81,7 +81,7 @@ static void show(const packing_i_table *t, const packing_i_cell *cells,
       &view->wz,        &view->qw, &view->qx, &view->qy, &view->qz};
   for (unsigned c = 0; c < t->columns; c++) {
     packing_column *column = columns[t->spec_of[c]];
-    column->data = cells + c * BATCH;
+    column->data = cells + (size_t)c * BATCH;
     column->stride = sizeof(packing_i_cell);
   }
 }

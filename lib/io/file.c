@@ -43,9 +43,9 @@ static packing_status fail(packing_context *context, const char *path, int error
   const size_t length = strlen(path);
   const int cut = length > SHOWN_PATH;
   if (strerror_r(error, reason, sizeof reason) != 0)
-    snprintf(reason, sizeof reason, "error %d", error);
-  snprintf(shown, sizeof shown, "%s%s", cut ? "..." : "",
-           path + (cut ? length - SHOWN_PATH : 0));
+    (void)snprintf(reason, sizeof reason, "error %d", error);
+  (void)snprintf(shown, sizeof shown, "%s%s", cut ? "..." : "",
+                 path + (cut ? length - SHOWN_PATH : 0));
   for (char *p = shown; *p != '\0'; p++)
     if ((unsigned char)*p < ' ' || *p == 127)
       *p = '?';
@@ -179,7 +179,7 @@ packing_status packing_file_open(packing_context *context, const char *path,
                                  packing_file **file)
 {
   packing_file *f = NULL;
-  struct stat s;
+  struct stat s = {0};
   PACKING_I_TRY(make(context, path, file, &f));
   f->stream.read = file_read;
   f->fd = open_again(path, O_RDONLY);
@@ -210,8 +210,8 @@ static int is_in_place(const char *path)
 static int open_temporary(packing_file *f, size_t directory, size_t size)
 {
   for (int n = 0; n < MOST_NAMES; n++) {
-    snprintf(f->temporary + directory, size - directory, ".packing-%ld-%d.tmp",
-             (long)getpid(), n);
+    (void)snprintf(f->temporary + directory, size - directory, ".packing-%ld-%d.tmp",
+                   (long)getpid(), n);
     f->fd = open_again(f->temporary, O_WRONLY | O_CREAT | O_EXCL);
     if (f->fd >= 0 || errno != EEXIST)
       break;

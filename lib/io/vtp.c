@@ -26,7 +26,7 @@ void packing_vtp_def_fill(packing_vtp_def *def, size_t size)
 
 size_t packing_i_vtp_tuple_size(const packing_i_vtp_array *array)
 {
-  return array->components * (array->kind == PACKING_I_VTP_INT32 ? 4U : 8U);
+  return (size_t)array->components * (array->kind == PACKING_I_VTP_INT32 ? 4U : 8U);
 }
 
 static void gather_doubles(const packing_i_vtp_array *a, size_t first, size_t count,

@@ -2,6 +2,7 @@
 /* The lattice placer: sites in order, cut to the container and to what stands there already.
  * Cost: linear in the sites of the bounding box. */
 #include "lattice_internal.h"
+#include <assert.h>
 
 enum { SITES_A_UNIT = 4096 };
 
@@ -132,6 +133,7 @@ packing_status packing_lattice_create(packing_context *context,
   PACKING_I_TRY(check(context, &d));
   PACKING_I_TRY(packing_i_placer_create(context, &lattice_ops, domain, psd, particles,
                                         placer == NULL ? NULL : &p));
+  assert(p != NULL);
   const packing_status status = start(p, &d);
   if (status != PACKING_OK) {
     packing_placer_destroy(p);

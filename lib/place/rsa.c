@@ -2,6 +2,7 @@
 /* Random sequential addition: options and the choice of method.
  * Seed 000, section 2, step 2; ledger 000-07, 000-13. */
 #include "rsa_internal.h"
+#include <assert.h>
 
 int packing_i_rsa_wants(const packing_i_rsa_goal *goal,
                         const packing_placer_report *tally, double next)
@@ -102,6 +103,7 @@ packing_status packing_rsa_create(packing_context *context, const packing_rsa_de
   PACKING_I_TRY(check(context, &d));
   PACKING_I_TRY(packing_i_placer_create(context, &packing_i_rsa_mixed_ops, domain, psd,
                                         particles, placer == NULL ? NULL : &p));
+  assert(p != NULL);
   const packing_i_rsa_goal goal = {d.count, d.volume_fraction * p->domain_volume};
   packing_status status = packing_i_placer_check_room(p);
   if (status != PACKING_OK)

@@ -65,8 +65,8 @@ static int row_point(const void *user, size_t bin, const uint32_t random[4],
 {
   const packing_i_rsa_cells *c = &((const equal *)user)->cells;
   const packing_vec3 u = unit_point(random);
-  const uint32_t row = (uint32_t)bin;
-  const double y = (double)(row % c->n[1]) + u.y, z = (double)(row / c->n[1]) + u.z;
+  const uint32_t row = (uint32_t)bin, layer = row / c->n[1];
+  const double y = (double)(row % c->n[1]) + u.y, z = (double)layer + u.z;
   *point = keep_point(c, packing_i_vec(c->lo.x + u.x * c->width.x,
                                        c->lo.y + y * c->edge.y, c->lo.z + z * c->edge.z));
   return 1;

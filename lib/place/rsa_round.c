@@ -31,8 +31,8 @@ packing_status packing_i_rsa_round_init(packing_i_rsa_round *round,
   open_key(seed, stream, PACKING_PURPOSE_POSITION, round->key);
   open_key(seed, stream, PURPOSE_TIME, round->time_key);
   packing_i_stream_open(&round->counts, seed, stream, PURPOSE_COUNT, 0);
-  round->scratch =
-      packing_i_alloc(allocator, DARTS_A_BLOCK * BLOCKS_A_UNIT, sizeof *round->scratch);
+  round->scratch = packing_i_alloc(allocator, (size_t)DARTS_A_BLOCK * BLOCKS_A_UNIT,
+                                   sizeof *round->scratch);
   round->scratch_count =
       packing_i_alloc(allocator, BLOCKS_A_UNIT, sizeof *round->scratch_count);
   if (round->scratch == NULL || round->scratch_count == NULL)

@@ -72,7 +72,7 @@ double packing_i_smooth_cdf(const packing_psd *psd, packing_by by, double x)
   return panel->below[b] + fmin(fmax(share, 0), panel->share[b]);
 }
 
-/* The first panel that reaches p; it is not empty. */
+/* In the last panel that begins below p; none is empty there but at the very end. */
 double packing_i_smooth_quantile(const packing_psd *psd, packing_by by, double p)
 {
   const packing_i_smooth *s = (const packing_i_smooth *)psd;
@@ -85,6 +85,8 @@ double packing_i_smooth_quantile(const packing_psd *psd, packing_by by, double p
     else
       hi = middle;
   }
+  while (lo > 0 && s->panel[lo].share[b] == 0)
+    lo--;
   const packing_i_panel *panel = &s->panel[lo];
   const double share = fmin(p - panel->below[b], panel->share[b]);
   const double t = invert(panel->term[b], share, panel->share[b]);

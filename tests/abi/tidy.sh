@@ -12,5 +12,5 @@ fi
 # is of gcc, whose warnings clang does not all know.
 find "$root/lib" -name '*.c' -print0 |
   xargs -0 -n 1 -P "$(nproc)" "$tool" -quiet -p "$build" --warnings-as-errors='*' \
-    --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument \
+    --extra-arg=-UNDEBUG --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument \
     2> >(grep -v '^[0-9]* warnings\? generated' >&2)

@@ -68,7 +68,7 @@ def main(tests):
     print("1..%d" % len(tests))
     for number, (name, test) in enumerate(tests, 1):
         try:
-            test(sys.argv[1])
+            test(os.path.abspath(sys.argv[1]))
             print("ok %d - %s" % (number, name))
         except Exception:  # a test that stops is a test that failed
             failed += 1

@@ -144,7 +144,7 @@ static void moments_agree_with_quadrature(void **state)
       const int e = exponent(t, (packing_by)b);
       const double all = integral(t, t->min_r, t->max_r, e);
       for (int n = -6; n <= 6; n++) {
-        double moment = NAN;
+        double moment = nan("");
         assert_ok(packing_psd_moment(psd, (packing_by)b, n, &moment));
         assert_close(moment, integral(t, t->min_r, t->max_r, e + n) / all, 1e-12);
       }
@@ -218,7 +218,7 @@ static void cdf_never_falls(void **state)
 static void closed_forms_hold(void **state)
 {
   (void)state;
-  double m = NAN;
+  double m = nan("");
   const textbook l = {'l', 2, .5, 1e-4, 1e4, PACKING_BY_NUMBER, 3};
   packing_psd *psd = make(&l);
   for (int n = -6; n <= 6; n++) { /* the cut is 17 sigma away */
@@ -269,7 +269,7 @@ static void needles_are_found(void **state)
                               {'w', 1.1, 1e8, 1e-10, 1e10, PACKING_BY_NUMBER, 3},
                               {'g', 1.1e-9, 1e9, 1e-3, 1e3, PACKING_BY_MASS, 2}};
   for (size_t i = 0; i < 4; i++) {
-    double mean = NAN, square = NAN;
+    double mean = nan(""), square = nan("");
     packing_psd *psd = make(&needles[i]);
     assert_ok(packing_psd_moment(psd, PACKING_BY_NUMBER, 1, &mean));
     assert_ok(packing_psd_moment(psd, PACKING_BY_NUMBER, 2, &square));
@@ -277,6 +277,9 @@ static void needles_are_found(void **state)
     assert_close(square, mean * mean, 1e-8);
     assert_close(packing_psd_quantile(psd, PACKING_BY_MASS, .01), 1.1, 2e-4);
     assert_close(packing_psd_quantile(psd, PACKING_BY_MASS, .99), 1.1, 2e-4);
+    /* the outermost draws, where the panels are empty */
+    assert_close(packing_psd_quantile(psd, PACKING_BY_NUMBER, 0x1p-53), 1.1, 1e-3);
+    assert_close(packing_psd_quantile(psd, PACKING_BY_NUMBER, 1 - 0x1p-53), 1.1, 1e-3);
     assert_near(packing_psd_cdf(psd, PACKING_BY_NUMBER,
                                 packing_psd_quantile(psd, PACKING_BY_NUMBER, .3)),
                 .3, 1e-6);

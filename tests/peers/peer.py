@@ -46,7 +46,8 @@ def make(program, folder, arguments):
 def answer(command, folder):
     """Runs a peer; its line `FOUND count sum_r sum_x` is the answer."""
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, timeout=200)
+                          stderr=subprocess.STDOUT, text=True,
+                          errors="replace", timeout=200)
     for line in done.stdout.splitlines():
         if line.startswith("FOUND "):
             words = line.split()
@@ -54,11 +55,19 @@ def answer(command, folder):
     raise SystemExit("no answer from %s:\n%s" % (command[0], done.stdout))
 
 
-def lammps(folder, name, scripts):
+def read_data(program, folder, name, script):
     dim = "2" if name == "flat" else "3"
-    edges = {"flat": "f f p", "periodic": "p p p"}.get(name, "f f f")
-    return [answer([need("lmp"), "-in", os.path.join(scripts, "lammps.in"), "-log", "none",
-                    "-var", "dim", dim, "-var", "edges", edges], folder)]
+    edges = {"flat": ("f", "f", "p"), "periodic": ("p", "p", "p")}.get(name, ("f",) * 3)
+    return [answer([need(program), "-in", script, "-log", "none", "-var", "dim", dim,
+                    "-var", "edges", " ".join(edges)], folder)]
+
+
+def lammps(folder, name, scripts):
+    return read_data("lmp", folder, name, os.path.join(scripts, "lammps.in"))
+
+
+def liggghts(folder, name, scripts):
+    return read_data("liggghts", folder, name, os.path.join(scripts, "liggghts.in"))
 
 
 def vtk(folder, name, scripts):
@@ -76,13 +85,15 @@ def yade(folder, name, scripts):
     return found
 
 
+PEERS = {"lammps": lammps, "liggghts": liggghts, "vtk": vtk, "yade": yade}
+
+
 def main():
-    peer, program, scripts = sys.argv[1:]
+    peer, program, scripts = sys.argv[1], *map(os.path.abspath, sys.argv[2:])
     for name, arguments in PACKS.items():
         with tempfile.TemporaryDirectory() as folder:
             wanted = make(program, folder, arguments)
-            for found in {"lammps": lammps, "vtk": vtk, "yade": yade}[peer](folder, name,
-                                                                            scripts):
+            for found in PEERS[peer](folder, name, scripts):
                 assert found[0] == wanted[0], (name, found, wanted)
                 for got, sum_of in zip(found[1:], wanted[1:]):
                     assert abs(got - sum_of) <= 1e-6 * (1 + abs(sum_of)), (name, found,

@@ -62,7 +62,7 @@ static void dense_limit_has_no_scale(void **state)
   for (int kind = 0; kind < TEST_PSD_KINDS; kind++) {
     packing_psd *one = test_psd(kind, 1, PACKING_BY_MASS, 3);
     packing_psd *other = test_psd(kind, 0x1p-33, PACKING_BY_MASS, 3);
-    double a = NAN, b = NAN;
+    double a = nan(""), b = nan("");
     assert_ok(packing_psd_dense_limit(NULL, one, &a));
     assert_ok(packing_psd_dense_limit(NULL, other, &b));
     assert_true(a == b);

@@ -182,7 +182,7 @@ packing_psd *test_psd(int kind, double unit, packing_by by, int dim)
 
 double test_psd_moment(const packing_psd *psd, packing_by by, int power)
 {
-  double m = NAN;
+  double m = nan("");
   assert_ok(packing_psd_moment(psd, by, power, &m));
   return m;
 }

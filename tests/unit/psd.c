@@ -300,8 +300,8 @@ static void ends_are_ends(void **state)
       assert_true(packing_psd_cdf(psd, by, lo * (1 - 1e-15)) == 0);
       assert_true(packing_psd_cdf(psd, by, hi) == 1);
       assert_true(packing_psd_cdf(psd, by, HUGE_VAL) == 1);
-      assert_true(isnan(packing_psd_cdf(psd, by, NAN)));
-      assert_true(isnan(packing_psd_quantile(psd, by, NAN)));
+      assert_true(isnan(packing_psd_cdf(psd, by, nan(""))));
+      assert_true(isnan(packing_psd_quantile(psd, by, nan(""))));
       assert_close(moment(psd, by, 0), 1.0, 1e-15);
     }
     packing_psd_destroy(psd);

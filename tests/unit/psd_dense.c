@@ -4,7 +4,7 @@
 
 static double limit_of(packing_psd *psd)
 {
-  double limit = NAN;
+  double limit = nan("");
   assert_ok(packing_psd_dense_limit(NULL, psd, &limit));
   packing_psd_destroy(psd);
   return limit;

@@ -48,7 +48,7 @@ static int drop_fixture(void **state)
   do {                                                                                   \
     REFUSED(noun, good, def.min_r = 0, PACKING_ERR_RANGE, "min_r");                      \
     REFUSED(noun, good, def.min_r = -1, PACKING_ERR_RANGE, "min_r");                     \
-    REFUSED(noun, good, def.min_r = NAN, PACKING_ERR_INVALID, "min_r");                  \
+    REFUSED(noun, good, def.min_r = nan(""), PACKING_ERR_INVALID, "min_r");              \
     REFUSED(noun, good, def.max_r = HUGE_VAL, PACKING_ERR_INVALID, "max_r");             \
     REFUSED(noun, good, def.max_r = def.min_r, PACKING_ERR_RANGE, "max_r");              \
     REFUSED(noun, good, def.max_r = def.min_r / 2, PACKING_ERR_RANGE, "max_r");          \
@@ -67,7 +67,7 @@ static void mono_refuses(void **state)
   packing_psd_mono_def_init(&good);
   REFUSED(mono, good, (void)0, PACKING_ERR_RANGE, "r"); /* lengths have no default */
   REFUSED(mono, good, def.r = -1, PACKING_ERR_RANGE, "r");
-  REFUSED(mono, good, def.r = NAN, PACKING_ERR_INVALID, "r");
+  REFUSED(mono, good, def.r = nan(""), PACKING_ERR_INVALID, "r");
   REFUSED(mono, good, def.r = HUGE_VAL, PACKING_ERR_INVALID, "r");
   REFUSED(mono, good, def.r = 1e201, PACKING_ERR_RANGE, "r");
   good.r = 1;
@@ -101,7 +101,7 @@ static void normal_refuses(void **state)
   good.min_r = .5;
   good.max_r = 2;
   CUT_REFUSED(normal, good);
-  REFUSED(normal, good, def.mean_r = NAN, PACKING_ERR_INVALID, "mean_r");
+  REFUSED(normal, good, def.mean_r = nan(""), PACKING_ERR_INVALID, "mean_r");
   REFUSED(normal, good, def.sd_r = 0, PACKING_ERR_RANGE, "sd_r");
   REFUSED(normal, good, def.sd_r = -.1, PACKING_ERR_RANGE, "sd_r");
   REFUSED(normal, good, def.sd_r = 1e-12, PACKING_ERR_RANGE, "sd_r");
@@ -124,7 +124,7 @@ static void lognormal_refuses(void **state)
   good.max_r = 2;
   CUT_REFUSED(lognormal, good);
   REFUSED(lognormal, good, def.median_r = 0, PACKING_ERR_RANGE, "median_r");
-  REFUSED(lognormal, good, def.median_r = NAN, PACKING_ERR_INVALID, "median_r");
+  REFUSED(lognormal, good, def.median_r = nan(""), PACKING_ERR_INVALID, "median_r");
   REFUSED(lognormal, good, def.median_r = 1e6, PACKING_ERR_RANGE, "min_r");
   REFUSED(lognormal, good, def.sigma = 0, PACKING_ERR_RANGE, "sigma");
   REFUSED(lognormal, good, def.sigma = 1e-10, PACKING_ERR_RANGE, "sigma");
@@ -145,7 +145,7 @@ static void weibull_refuses(void **state)
   REFUSED(weibull, good, def.scale_r = 1e-3, PACKING_ERR_RANGE, "min_r");
   REFUSED(weibull, good, def.scale_r = 1e300, PACKING_ERR_RANGE, "min_r");
   REFUSED(weibull, good, def.shape = 0, PACKING_ERR_RANGE, "shape");
-  REFUSED(weibull, good, def.shape = NAN, PACKING_ERR_INVALID, "shape");
+  REFUSED(weibull, good, def.shape = nan(""), PACKING_ERR_INVALID, "shape");
 }
 
 static void gamma_refuses(void **state)
@@ -173,7 +173,7 @@ static void exponential_refuses(void **state)
   good.min_r = .1;
   good.max_r = 9;
   CUT_REFUSED(exponential, good);
-  REFUSED(exponential, good, def.scale_r = NAN, PACKING_ERR_INVALID, "scale_r");
+  REFUSED(exponential, good, def.scale_r = nan(""), PACKING_ERR_INVALID, "scale_r");
   REFUSED(exponential, good, def.scale_r = 0, PACKING_ERR_RANGE, "scale_r");
   REFUSED(exponential, good, def.scale_r = 1e-3, PACKING_ERR_RANGE, "min_r");
 }
@@ -191,7 +191,7 @@ static void discrete_refuses(void **state)
 {
   fixture *f = *state;
   const double r[] = {1, 2, 3}, share[] = {1, 1, 1};
-  const double nan_r[] = {1, NAN, 3}, zero_r[] = {0, 2, 3}, equal_r[] = {1, 2, 2};
+  const double nan_r[] = {1, nan(""), 3}, zero_r[] = {0, 2, 3}, equal_r[] = {1, 2, 2};
   const double no_share[] = {1, 0, 1}, inf_share[] = {1, 1, HUGE_VAL};
   const double far_r[] = {1e-31, 1, 2};
   packing_psd_discrete_def good;
@@ -222,10 +222,10 @@ static void curve_refuses(void **state)
   fixture *f = *state;
   const double d[] = {1, 2, 4, 8}, p[] = {0, .2, .7, 1};
   const double falling_d[] = {1, 2, 1.5, 8}, equal_d[] = {1, 1, 2, 3};
-  const double nan_d[] = {1, 2, NAN, 8}, negative_d[] = {-1, 2, 3, 4};
+  const double nan_d[] = {1, 2, nan(""), 8}, negative_d[] = {-1, 2, 3, 4};
   const double falling_p[] = {0, .7, .2, 1}, starts_p[] = {.1, .2, .7, 1};
   const double truncated_p[] = {0, .2, .7, .9}, above_p[] = {0, .2, 1.1, 1.2};
-  const double nan_p[] = {0, NAN, .7, 1}, percent_p[] = {0, 20, 70, 100};
+  const double nan_p[] = {0, nan(""), .7, 1}, percent_p[] = {0, 20, 70, 100};
   packing_psd_curve_def good;
   packing_psd_curve_def_init(&good);
   good.count = 4;
@@ -261,7 +261,7 @@ static void curve_refuses(void **state)
 static void sample_refuses(void **state)
 {
   fixture *f = *state;
-  const double r[] = {2, 1, 3}, bad[] = {2, 1, -3}, nan_r[] = {NAN, 1, 3};
+  const double r[] = {2, 1, 3}, bad[] = {2, 1, -3}, nan_r[] = {nan(""), 1, 3};
   packing_psd_sample_def good;
   packing_psd_sample_def_init(&good);
   good.count = 3;
@@ -273,7 +273,7 @@ static void sample_refuses(void **state)
   REFUSED(sample, good, def.r = nan_r, PACKING_ERR_INVALID, "r");
   assert_row(f, 0);
   REFUSED(sample, good, def.bandwidth = -.1, PACKING_ERR_RANGE, "bandwidth");
-  REFUSED(sample, good, def.bandwidth = NAN, PACKING_ERR_INVALID, "bandwidth");
+  REFUSED(sample, good, def.bandwidth = nan(""), PACKING_ERR_INVALID, "bandwidth");
   REFUSED(sample, good, def.bandwidth = 1e-12, PACKING_ERR_RANGE, "bandwidth");
   REFUSED(sample, good, def.bandwidth = 11, PACKING_ERR_RANGE, "bandwidth");
   REFUSED(sample, good, def.by = (packing_by)9, PACKING_ERR_RANGE, "by");
@@ -284,7 +284,7 @@ static void mixture_refuses(void **state)
   fixture *f = *state;
   packing_psd *mono = test_mono(1), *flat = test_psd(TEST_PSD_MONO, 1, 0, 2);
   packing_psd *parts[] = {mono, mono}, *mixed[] = {mono, flat}, *hole[] = {mono, NULL};
-  const double share[] = {1, 2}, zero[] = {0, 1}, nan_share[] = {1, NAN};
+  const double share[] = {1, 2}, zero[] = {0, 1}, nan_share[] = {1, nan("")};
   packing_psd_mixture_def good;
   packing_psd_mixture_def_init(&good);
   good.count = 2;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "view.h"
+#include "camera.h"
 #include <math.h>
 
 static double dot(packing_vec3 a, packing_vec3 b)
@@ -7,7 +7,7 @@ static double dot(packing_vec3 a, packing_vec3 b)
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-void view_init(view *v, int dim)
+void camera_init(camera *v, int dim)
 {
   const double azimuth = 0.55, elevation = 0.38;
   const double ca = cos(azimuth), sa = sin(azimuth);
@@ -25,7 +25,7 @@ void view_init(view *v, int dim)
   v->up = (packing_vec3){-se * sa, se * ca, ce};
 }
 
-spot view_project(const view *v, packing_vec3 point)
+spot camera_project(const camera *v, packing_vec3 point)
 {
   return (spot){v->x + v->scale * dot(v->right, point),
                 v->y - v->scale * dot(v->up, point), v->scale * dot(v->toward, point)};
