@@ -478,9 +478,10 @@ int main(int argc, char **argv)
   static const struct argp own = {
       .options = own_options,
       .parser = parse_own,
+      .args_doc = "--domain=SPEC --psd=SPEC",
       .doc =
           "Fills a container with a loose, audited, non-overlapping pack of spheres or "
-          "discs.\v ",
+          "discs: the start of a discrete-element simulation.\v ",
       .children = children,
       .help_filter = add_spec_help,
   };

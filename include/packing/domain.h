@@ -327,9 +327,9 @@ typedef struct packing_domain_custom_def {
   double volume;         /**< [L^3] or [L^2]; 0 (default): computed to volume_tolerance */
   double volume_tolerance; /**< relative error of a computed volume [1], default 1e-4 */
   void *user;              /**< passed to the functions */
-  void (*release)(
-      void *user); /**< called once, when the domain and all its insets are gone,
-       never when making it failed; NULL is fine */
+  /** Called once, when the domain and all its insets are gone, never when making it failed;
+   *  NULL is fine. */
+  void (*release)(void *user);
 } packing_domain_custom_def;
 
 /** Writes the defaults; called through packing_domain_custom_def_init().

@@ -17,7 +17,6 @@
  * the corner with c = 0. Error: a few roundings of the whole ball; a cap alone is exact to a
  * few roundings of itself. At most 27 terms. */
 #include "domain_kinds.h"
-#include <assert.h>
 #include <float.h>
 #include <math.h>
 
@@ -85,7 +84,7 @@ static double beyond(int dim, double r, const double at[3])
 {
   double a[3];
   int n = 0;
-  for (int k = 0; k < dim; k++)
+  for (int k = 0; k < 3; k++)
     if (at[k] >= 0)
       a[n++] = at[k];
   if (n == 0)
@@ -101,7 +100,7 @@ static double all_terms(int dim, double r, const double lo[3], const double hi[3
 {
   term terms[3][3] = {{{1, -1}}, {{1, -1}}, {{1, -1}}};
   int n[3] = {1, 1, 1};
-  for (int k = 0; k < dim; k++)
+  for (int k = 0; k < (dim == 2 ? 2 : 3); k++)
     n[k] = axis_terms(r, lo[k], hi[k], terms[k]);
   double sum = 0;
   for (int i = 0; i < n[0]; i++)
@@ -117,9 +116,9 @@ static double all_terms(int dim, double r, const double lo[3], const double hi[3
 double packing_i_cut_planes(int dim, double r, const double lo[3], const double hi[3],
                             double *error)
 {
-  assert(dim == 2 || dim == 3);
+  const int axes = dim == 2 ? 2 : 3;
   double box = 1, corner2_of_box = 0;
-  for (int k = 0; k < dim; k++) {
+  for (int k = 0; k < axes; k++) {
     const double far = -lo[k] > hi[k] ? -lo[k] : hi[k];
     box *= hi[k] > lo[k] ? hi[k] - lo[k] : 0;
     corner2_of_box += far * far;

@@ -48,6 +48,9 @@ packing_status packing_i_placer_create(packing_context *context,
   return PACKING_OK;
 }
 
+/* A container that holds a particle exactly has room for it. */
+static const double tight = 1e-9;
+
 packing_status packing_i_placer_check_room(const packing_placer *placer)
 {
   const double r = packing_psd_max_r(placer->psd);
@@ -62,7 +65,7 @@ packing_status packing_i_placer_check_room(const packing_placer *placer)
   packing_domain *inset = NULL;
   packing_status status = PACKING_OK;
   if (room)
-    status = packing_domain_create_inset(NULL, placer->domain, r, &inset);
+    status = packing_domain_create_inset(NULL, placer->domain, r * (1 - tight), &inset);
   packing_domain_destroy(inset);
   if (status == PACKING_ERR_NOMEM)
     return packing_i_nomem(placer->context);

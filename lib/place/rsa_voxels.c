@@ -52,6 +52,7 @@ packing_status packing_i_rsa_voxels_init(packing_i_rsa_voxels *voxels,
 {
   *voxels = (packing_i_rsa_voxels){0};
   voxels->level = -1;
+  voxels->part = 1;
   voxels->mask =
       packing_i_alloc(packing_i_allocator(space->context), PORTION, sizeof *voxels->mask);
   if (voxels->mask == NULL)
@@ -78,7 +79,7 @@ packing_vec3 packing_i_rsa_voxel_point(const packing_i_rsa_voxels *voxels,
                                        const packing_i_rsa_cells *cells,
                                        packing_i_rsa_voxel voxel, packing_vec3 t)
 {
-  const double part = ldexp(1.0, -voxels->level);
+  const double part = voxels->part;
   const uint32_t nx = cells->n[0], ny = cells->n[1];
   const uint32_t k = voxel.cell / nx / ny;
   const double x = (double)(voxel.cell % nx) + ((double)voxel.at[0] + t.x) * part;
@@ -92,6 +93,7 @@ packing_vec3 packing_i_rsa_voxel_point(const packing_i_rsa_voxels *voxels,
 typedef struct near_centres {
   double x[MOST_NEAR], y[MOST_NEAR], z[MOST_NEAR];
   size_t count;
+  packing_vec3 holding[MOST_NEAR + 1]; /* of one parent, relative to it */
 } near_centres;
 
 static packing_vec3 corner_of(const packing_i_rsa_cells *cells, uint32_t cell)
@@ -175,7 +177,7 @@ static packing_i_rsa_voxel parent_at(const packing_i_rsa_voxels *voxels, size_t 
 }
 
 /* Which children of a parent are kept. */
-static unsigned children_kept(const packing_i_rsa_space *space, const near_centres *near,
+static unsigned children_kept(const packing_i_rsa_space *space, near_centres *near,
                               packing_i_rsa_voxel parent, double part)
 {
   const packing_vec3 edge = packing_i_scale(space->cells->edge, part);
@@ -185,13 +187,17 @@ static unsigned children_kept(const packing_i_rsa_space *space, const near_centr
                                             ((double)parent.at[2] + 0.5) * edge.z);
   const double reach2 = space->cells->diameter2 * safe;
   unsigned dropped = twins(h);
-  for (size_t i = 0; i < near->count && dropped != 0xffU; i++) {
-    const packing_vec3 q = packing_i_vec(near->x[i] - centre.x, near->y[i] - centre.y,
-                                         near->z[i] - centre.z);
-    /* The parent's centre is a corner of every child. */
-    if (packing_i_dot(q, q) < reach2)
-      dropped |= covered(q, h, reach2);
+  /* The parent's centre is a corner of every child: only balls that hold it can cover one.
+   * Collected without branches, since about one in four does. */
+  size_t count = 0;
+  for (size_t i = 0; i < near->count; i++) {
+    const double x = near->x[i] - centre.x, y = near->y[i] - centre.y,
+                 z = near->z[i] - centre.z;
+    near->holding[count] = packing_i_vec(x, y, z);
+    count += x * x + y * y + z * z < reach2;
   }
+  for (size_t i = 0; i < count && dropped != 0xffU; i++)
+    dropped |= covered(near->holding[i], h, reach2);
   if (!space->boxlike && dropped != 0xffU)
     dropped |=
         outside(space, packing_i_add(corner_of(space->cells, parent.cell), centre), h);
@@ -202,7 +208,6 @@ static void split_block(void *arg, size_t block)
 {
   const split_task *task = arg;
   const packing_i_rsa_voxels *voxels = task->voxels;
-  const double part = voxels->level < 0 ? 1.0 : ldexp(1.0, -voxels->level);
   const size_t from = block * PARENTS_A_TASK;
   const size_t to =
       from + PARENTS_A_TASK < task->count ? from + PARENTS_A_TASK : task->count;
@@ -215,7 +220,8 @@ static void split_block(void *arg, size_t block)
       gather(task->space->cells, parent.cell, &near);
       gathered = parent.cell;
     }
-    voxels->mask[i] = (unsigned char)children_kept(task->space, &near, parent, part);
+    voxels->mask[i] =
+        (unsigned char)children_kept(task->space, &near, parent, voxels->part);
   }
 }
 
@@ -253,6 +259,7 @@ packing_status packing_i_rsa_voxels_split(packing_i_rsa_voxels *voxels,
     voxels->live = voxels->next;
     voxels->next = (packing_i_rsa_voxel_list){0};
     voxels->level = voxels->level < 0 ? 1 : voxels->level + 1;
+    voxels->part *= 0.5;
   }
   return PACKING_OK;
 }

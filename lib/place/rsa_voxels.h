@@ -33,7 +33,8 @@ typedef struct packing_i_rsa_voxels {
   packing_i_rsa_voxel_list next; /* grows while a split is under way */
   size_t parents;                /* voxels to be split; at level 0 the cells themselves */
   size_t split;                  /* of them done */
-  int level;                     /* of `live` */
+  int level;                     /* of `live`; -1: there is none yet */
+  double part;                   /* edge of a voxel in cells */
   unsigned char *mask;           /* children of the parents of one portion that stay */
 } packing_i_rsa_voxels;
 

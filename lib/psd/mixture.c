@@ -142,7 +142,7 @@ packing_status packing_psd_create_mixture(packing_context *context,
     return PACKING_ERR_NOMEM;
   const packing_allocator *allocator = &m->base.allocator;
   m->base.components = d.count;
-  m->part = packing_i_calloc(allocator, d.count, sizeof *m->part);
+  m->part = packing_i_calloc(allocator, d.count, sizeof(packing_psd *));
   m->upto[0] = packing_i_alloc(allocator, d.count, sizeof *m->upto[0]);
   m->upto[1] = packing_i_alloc(allocator, d.count, sizeof *m->upto[1]);
   if (m->part == NULL || m->upto[0] == NULL || m->upto[1] == NULL) {

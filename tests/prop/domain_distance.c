@@ -297,7 +297,7 @@ static void volumes_and_bounds_agree_with_counts(void **state)
   for (int i = 0; i < SCENES; i++) {
     const scene s = nth_scene(i);
     packing_domain *domain = scene_make(&s);
-    const int n = scene_dim(&s) == 2 ? 1500 : 100, m = scene_dim(&s) == 2 ? 1 : n;
+    const int n = scene_dim(&s) == 2 ? 1500 : 120, m = scene_dim(&s) == 2 ? 1 : n;
     packing_bounds b,
         seen = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     packing_domain_bounds(domain, &b);

@@ -24,7 +24,10 @@ static const crystal crystals[] = {
      {2, 3.4641016151377545871, 3.2659863237109041309},
      0.740480489693061,
      12},
-    {PACKING_LATTICE_SIMPLE_HEXAGONAL, {2, 3.4641016151377545871, 2}, 0.604599788078073, 8},
+    {PACKING_LATTICE_SIMPLE_HEXAGONAL,
+     {2, 3.4641016151377545871, 2},
+     0.604599788078073,
+     8},
     {PACKING_LATTICE_HEXAGONAL, {2, 3.4641016151377545871, 0}, 0.906899682117109, 6},
     {PACKING_LATTICE_SQUARE, {2, 2, 0}, 0.785398163397448, 4},
 };
@@ -77,7 +80,8 @@ static void crystals_are_exact_in_a_periodic_cell(void **state)
 static void a_box_of_ten_diameters_takes_ten(void **state)
 {
   (void)state;
-  const double r = 0.1; /* not a binary fraction: sites fall beside the wall by rounding */
+  const double r =
+      0.1; /* not a binary fraction: sites fall beside the wall by rounding */
   packing_psd *psd = test_mono(r);
   packing_domain *domain = test_box(20 * r, 20 * r, 20 * r, 0);
   packing_lattice_def def;
@@ -165,7 +169,8 @@ static void cells_never_overlap(void **state)
 {
   (void)state;
   packing_domain_cylinder_def round;
-  packing_domain *domains[3] = {test_box(12.3, 12.3, 25, 0), test_rectangle(17.2, 90, 0), NULL};
+  packing_domain *domains[3] = {test_box(12.3, 12.3, 25, 0), test_rectangle(17.2, 90, 0),
+                                NULL};
   packing_domain_cylinder_def_init(&round);
   round.radius = 8.9;
   round.height = 25;
@@ -253,18 +258,18 @@ static void refusals_name_the_field(void **state)
   assert_fails(c, packing_lattice_create(c, &def, ball, psd, store, &p),
                PACKING_ERR_UNSUPPORTED, "kind");
   def.kind = PACKING_LATTICE_SC;
-  assert_fails(c, packing_lattice_create(c, &def, box, psd, store, &p), PACKING_ERR_GEOMETRY,
-               "y period");
+  assert_fails(c, packing_lattice_create(c, &def, box, psd, store, &p),
+               PACKING_ERR_GEOMETRY, "y period");
   assert_fails(c, packing_lattice_create(c, &def, flat, psd, disc_store, &p),
                PACKING_ERR_RANGE, "kind");
-  assert_fails(c, packing_lattice_create(c, &def, tiny, psd, store, &p), PACKING_ERR_GEOMETRY,
-               "psd");
+  assert_fails(c, packing_lattice_create(c, &def, tiny, psd, store, &p),
+               PACKING_ERR_GEOMETRY, "psd");
   def.spacing_r = 0.4;
   assert_fails(c, packing_lattice_create(c, &def, box, psd, store, &p), PACKING_ERR_RANGE,
                "spacing_r");
   def.spacing_r = NAN;
-  assert_fails(c, packing_lattice_create(c, &def, box, psd, store, &p), PACKING_ERR_INVALID,
-               "spacing_r");
+  assert_fails(c, packing_lattice_create(c, &def, box, psd, store, &p),
+               PACKING_ERR_INVALID, "spacing_r");
   packing_lattice_def_init(&def);
   def.kind = PACKING_LATTICE_END;
   assert_fails(c, packing_lattice_create(c, &def, box, psd, store, &p), PACKING_ERR_RANGE,

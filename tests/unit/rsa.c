@@ -47,9 +47,11 @@ static void count_is_placed_in_every_container(void **state)
   packing_rsa_def def;
   packing_rsa_def_init(&def);
   def.count = 311;
-  packing_domain *domains[] = {test_box(9.7, 8.3, 11.1, 0), test_box(9.7, 8.3, 11.1, 7),
+  packing_domain *domains[] = {test_box(9.7, 8.3, 11.1, 0),
+                               test_box(9.7, 8.3, 11.1, 7),
                                test_box(9.7, 8.3, 11.1, PACKING_PERIODIC_Y),
-                               test_rectangle(31.5, 17.9, 0), test_rectangle(31.5, 17.9, 3),
+                               test_rectangle(31.5, 17.9, 0),
+                               test_rectangle(31.5, 17.9, 3),
                                cylinder(5.3, 12.1)};
   for (size_t d = 0; d < sizeof domains / sizeof *domains; d++) {
     packing_psd *psds[] = {test_mono(0.53), test_uniform(0.21, 0.61)};
@@ -81,7 +83,8 @@ static void volume_fraction_is_met_to_half_a_particle(void **state)
       def.volume_fraction = 0.237;
       def.order = (packing_order)order;
       const packing_placer_report report = pack(&def, domain, psds[k], store);
-      const double half = 2.0 / 3.0 * 3.14159265358979 * pow(packing_psd_max_r(psds[k]), 3) /
+      const double half = 2.0 / 3.0 * 3.14159265358979 *
+                          pow(packing_psd_max_r(psds[k]), 3) /
                           packing_domain_volume(domain);
       assert_int_equal(report.state, PACKING_PLACER_DONE);
       assert_near(report.volume_fraction, 0.237, half);
@@ -93,7 +96,8 @@ static void volume_fraction_is_met_to_half_a_particle(void **state)
 }
 
 /* No point of a fine lattice is free: an independent look at what the placer says it proved. */
-static void check_saturated(packing_domain *domain, const packing_particles *store, double r)
+static void check_saturated(packing_domain *domain, const packing_particles *store,
+                            double r)
 {
   packing_view v;
   packing_bounds b;
@@ -120,10 +124,13 @@ static void check_saturated(packing_domain *domain, const packing_particles *sto
 static void saturation_leaves_no_hole(void **state)
 {
   (void)state;
-  packing_domain *domains[] = {
-      test_box(7.3, 6.1, 5.9, 7),    test_box(7.3, 6.1, 5.9, 0),   cylinder(3.7, 6.2),
-      test_rectangle(23.1, 19.7, 3), test_rectangle(23.1, 19.7, 0), test_box(2.9, 1.7, 8.8, 7),
-      test_box(1.0, 6.0, 7.0, 0)};
+  packing_domain *domains[] = {test_box(7.3, 6.1, 5.9, 7),
+                               test_box(7.3, 6.1, 5.9, 0),
+                               cylinder(3.7, 6.2),
+                               test_rectangle(23.1, 19.7, 3),
+                               test_rectangle(23.1, 19.7, 0),
+                               test_box(2.9, 1.7, 8.8, 7),
+                               test_box(1.0, 6.0, 7.0, 0)};
   packing_psd *psd = test_mono(0.5);
   for (size_t d = 0; d < sizeof domains / sizeof *domains; d++) {
     packing_particles *store = test_store(packing_domain_dim(domains[d]));
@@ -278,7 +285,8 @@ static void refusals_name_the_field(void **state)
   (void)state;
   packing_context *c = test_context(1, PACKING_ISA_AUTO);
   packing_domain *cell = test_box(6, 6, 6, 7), *flat = test_rectangle(9, 9, 3);
-  packing_psd *psd = test_mono(0.5), *large = test_mono(3.01), *mixed = test_uniform(1, 3.01);
+  packing_psd *psd = test_mono(0.5), *large = test_mono(3.01),
+              *mixed = test_uniform(1, 3.01);
   packing_particles *store = test_store(3);
   packing_placer *p = NULL;
   packing_rsa_def def;
@@ -296,13 +304,15 @@ static void refusals_name_the_field(void **state)
                "0.3841");
   packing_rsa_def_init(&def);
   def.count = 200;
-  assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE, "count");
+  assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE,
+               "count");
   packing_rsa_def_init(&def);
   def.order = PACKING_ORDER_DESCENDING;
   assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_INVALID,
                "order");
   def.order = (packing_order)7;
-  assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE, "order");
+  assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE,
+               "order");
   packing_rsa_def_init(&def);
   def.max_failures = 0;
   assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE,
@@ -311,10 +321,10 @@ static void refusals_name_the_field(void **state)
   def.struct_size = 11;
   assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_ABI,
                "struct_size");
-  assert_fails(c, packing_rsa_create(c, NULL, cell, large, store, &p), PACKING_ERR_GEOMETRY,
-               "psd");
-  assert_fails(c, packing_rsa_create(c, NULL, cell, mixed, store, &p), PACKING_ERR_GEOMETRY,
-               "psd");
+  assert_fails(c, packing_rsa_create(c, NULL, cell, large, store, &p),
+               PACKING_ERR_GEOMETRY, "psd");
+  assert_fails(c, packing_rsa_create(c, NULL, cell, mixed, store, &p),
+               PACKING_ERR_GEOMETRY, "psd");
   assert_fails(c, packing_rsa_create(c, NULL, flat, psd, store, &p), PACKING_ERR_RANGE,
                "dimensions");
   assert_fails(c, packing_rsa_create(c, NULL, NULL, psd, store, &p), PACKING_ERR_INVALID,
@@ -323,8 +333,8 @@ static void refusals_name_the_field(void **state)
                "psd");
   assert_fails(c, packing_rsa_create(c, NULL, cell, psd, NULL, &p), PACKING_ERR_INVALID,
                "particles");
-  assert_fails(c, packing_rsa_create(c, NULL, cell, psd, store, NULL), PACKING_ERR_INVALID,
-               "placer");
+  assert_fails(c, packing_rsa_create(c, NULL, cell, psd, store, NULL),
+               PACKING_ERR_INVALID, "placer");
   assert_null(p);
   p = rsa(c, NULL, cell, psd, store);
   packing_placer_report report = {0};

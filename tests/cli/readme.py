@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What README.md shows is what is there: readme.py PROGRAM SOURCE_ROOT."""
+import os
+import re
+import subprocess
+import sys
+from cli import equal, holds, main
+
+ROOT = sys.argv[2]
+
+
+def text_of(*path):
+    with open(os.path.join(ROOT, *path), encoding="utf-8") as file:
+        return file.read()
+
+
+def program_is_the_example(_):
+    shown = re.search(r"```c\n(.*?)```", text_of("README.md"), re.S).group(1)
+    equal(shown.splitlines(), text_of("examples", "link", "pack.c").splitlines(), "pack.c")
+
+
+def links_lead_somewhere(_):
+    for target in re.findall(r"\]\(([^)#:]+)\)", text_of("README.md")):
+        holds(os.path.exists(os.path.join(ROOT, target)), target)
+
+
+def options_exist(program):
+    known = subprocess.run([program, "--help"], capture_output=True, text=True,
+                           check=True).stdout
+    command = re.search(r"```\n(packing-cloud .*?)```", text_of("README.md"), re.S).group(1)
+    for name in re.findall(r"--[a-z-]+", command):
+        holds(re.search(re.escape(name) + r"\b", known), name)
+
+
+def handles_are_in_the_headers(_):
+    table = text_of("README.md").split("## The handles at a glance")[1].split("##")[0]
+    for names, header in re.findall(r"^\| (`[^|]+) \|[^|]*\| `([^`]+)` \|$", table, re.M):
+        declared = text_of("include", *header.split("/"))
+        for name in re.findall(r"packing_\w+", names):
+            holds(name in declared, "%s is not in %s" % (name, header))
+
+
+main([(test.__name__.replace("_", " "), test) for test in (
+    program_is_the_example, links_lead_somewhere, options_exist,
+    handles_are_in_the_headers)])
