@@ -148,6 +148,27 @@ void packing_i_heap_offer(size_t *heap, size_t capacity, size_t *held, size_t va
 /* Turns the heap into a rising list. */
 void packing_i_heap_sort(size_t *heap, size_t held);
 
+/* What a grid is built from. */
+typedef struct packing_i_grid_source {
+  const packing_view *view;
+  const size_t *selection; /* NULL: all of the view */
+  size_t count;
+  double r_min;
+  double r_max;
+  packing_vec3 lo; /* extent of the centres, wrapped */
+  packing_vec3 hi;
+} packing_i_grid_source;
+
+static inline size_t packing_i_grid_pick(const packing_i_grid_source *source, size_t k)
+{
+  return source->selection == NULL ? k : source->selection[k];
+}
+
+/* Allocates the arrays of a grid whose axes are set, and sorts the particles into them. What is
+ * allocated on failure goes with the grid. */
+packing_status packing_i_grid_fill(packing_grid *grid,
+                                   const packing_i_grid_source *source);
+
 /* Records for sorting particles into rows. 24 bytes. */
 typedef struct packing_i_grid_record {
   union {

@@ -31,7 +31,8 @@ uint64_t packing_i_grid_cell(const packing_grid *grid, const packing_i_grid_axis
  * end may be off by 1/256 cell. */
 static uint64_t cells_within(const packing_i_grid_axis *axis, int octave, double reach)
 {
-  const double cells = floor(reach / packing_i_grid_width(axis, octave) + 1.0 / 128) + 1.0;
+  const double cells =
+      floor(reach / packing_i_grid_width(axis, octave) + 1.0 / 128) + 1.0;
   const double most = ldexp(1.0, PACKING_I_GRID_REACH + 3);
   return cells < most ? (uint64_t)cells : (uint64_t)most;
 }
