@@ -106,7 +106,7 @@ static int read_periodic(const kind_row *row, const char *value, domain_spec *sp
   for (const char *at = value ? value : all; *at; at++) {
     if (!strchr(all, *at))
       return BAD("+periodic: '%s' has other letters than %s", value, all);
-    spec->periodic |= PACKING_PERIODIC_X << (*at - 'x');
+    spec->periodic |= (unsigned)PACKING_PERIODIC_X << (*at - 'x');
   }
   return spec->periodic ? 0 : BAD("+periodic: an axis is missing");
 }

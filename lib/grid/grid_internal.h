@@ -17,9 +17,10 @@ enum {
   PACKING_I_GRID_BLOCK = 4096 /* particles of a parallel block */
 };
 
-/* Cells are numbered below 2^44 along an axis: then rounding moves a particle by less than
- * 1/256 cell, and particles beyond (no container is so large) share the outermost cells. */
-#define PACKING_I_GRID_REACH 43
+/* Cells are numbered below 2^42 along an axis: then rounding moves a particle by less than
+ * 1/1024 cell (1/256 of a quarter cell), and particles beyond, which no container holds, share
+ * the outermost cells. */
+#define PACKING_I_GRID_REACH 41
 
 /* One row; that of the last ends where the sentinel starts. 24 bytes. */
 typedef struct packing_i_grid_row {
