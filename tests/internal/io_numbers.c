@@ -162,7 +162,7 @@ static void ties_go_to_even(void **state)
 {
   (void)state;
   uint64_t stream = 2385;
-  for (int i = 0; i < 200000; i++) {
+  for (int i = 0; i < 60000; i++) {
     const uint64_t bits = next_bits(&stream);
     assert_formats((double)(bits >> (bits & 7)));
     assert_formats(ldexp((double)(bits >> 11 | 1), -(int)(bits & 63)));
@@ -209,7 +209,7 @@ static void usual_numbers_are_exact(void **state)
 {
   (void)state;
   uint64_t stream = 17;
-  for (int i = 0; i < 300000; i++) {
+  for (int i = 0; i < 100000; i++) {
     const double v = ldexp((double)(next_bits(&stream) >> 11), -53);
     assert_formats(v);
     assert_round_trip(v);
@@ -221,7 +221,7 @@ static void random_texts_parse_as_strtod_does(void **state)
 {
   (void)state;
   uint64_t stream = 5;
-  for (int i = 0; i < 400000; i++) {
+  for (int i = 0; i < 200000; i++) {
     char text[128];
     const uint64_t a = next_bits(&stream), b = next_bits(&stream), c = next_bits(&stream);
     const int exponent = (int)(c % 720) - 370;
