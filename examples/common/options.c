@@ -229,6 +229,7 @@ static void print_version(FILE *to, struct argp_state *state)
   fprintf(
       to,
       "%s (libpacking) %s\n"
+      "Copyright (C) the authors of libpacking\n"
       "License GPLv3+: GNU GPL version 3 or later <https://gnu.org/licenses/gpl.html>.\n"
       "This is free software: you are free to change and redistribute it.\n"
       "There is NO WARRANTY, to the extent permitted by law.\n",
@@ -257,7 +258,7 @@ int options_parse(const struct argp *own, int argc, char **argv, void *input)
 void options_init(options *o)
 {
   memset(o, 0, sizeof *o);
-  o->mass = o->porosity = NAN;
+  o->mass = o->porosity = (double)NAN;
   o->density = 1000;
   o->seed = 1;
   o->max_overlap = 1e-9;

@@ -56,8 +56,8 @@ static void widen_piece(void *user, packing_vec3 from, packing_vec3 to)
 static void lay_out(drawing *d)
 {
   camera_init(&d->camera, d->p->spec->dim);
-  d->lo[0] = d->lo[1] = INFINITY;
-  d->hi[0] = d->hi[1] = -INFINITY;
+  d->lo[0] = d->lo[1] = (double)INFINITY;
+  d->hi[0] = d->hi[1] = -(double)INFINITY;
   outline_trace(d->p->spec, d->camera.toward, widen_piece, d);
   for (size_t i = 0; i < d->p->view.count; i++)
     widen(d, camera_project(&d->camera, pack_centre(d->p, i)), pack_radius(d->p, i));

@@ -165,15 +165,15 @@ static void add_time(cJSON *root, const report *r)
 void report_init(report *r)
 {
   memset(r, 0, sizeof *r);
-  r->domain_volume = r->solid_volume = NAN;
-  r->volume_fraction = r->volume_fraction_inner = NAN;
-  r->coordination_mean = r->coordination_mean_no_rattlers = NAN;
-  r->coordination_tolerance = NAN;
+  r->domain_volume = r->solid_volume = (double)NAN;
+  r->volume_fraction = r->volume_fraction_inner = (double)NAN;
+  r->coordination_mean = r->coordination_mean_no_rattlers = (double)NAN;
+  r->coordination_tolerance = (double)NAN;
   r->rattlers = r->unplaced = REPORT_NONE;
-  r->max_overlap = r->max_protrusion = r->audit_limit = NAN;
+  r->max_overlap = r->max_protrusion = r->audit_limit = (double)NAN;
   r->audit_passed = -1;
-  r->ks = r->ks_limit = r->ks_mass = r->mean_relative_error = NAN;
-  r->time_place = r->time_settle = r->time_measure = r->time_total = NAN;
+  r->ks = r->ks_limit = r->ks_mass = r->mean_relative_error = (double)NAN;
+  r->time_place = r->time_settle = r->time_measure = r->time_total = (double)NAN;
 }
 
 char *report_text(const report *r)

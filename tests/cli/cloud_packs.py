@@ -5,6 +5,7 @@ import hashlib
 import json
 import math
 import os
+import pty
 import re
 import signal
 import subprocess
@@ -12,7 +13,7 @@ import sys
 import time
 from cli import DONE, INTERRUPTED, SHORT, Folder, equal, holds, main
 
-SAND = sys.argv[2]
+SAND = os.path.abspath(sys.argv[2])
 BOX = ["--domain", "box:4,4,4"]
 
 # Every key of the report, in its order; None where there is nothing below.
@@ -358,6 +359,34 @@ def nothing_on_standard_error(program):
         equal(result.err, "", "standard error")
 
 
+def on_a_terminal(program, *more):
+    """What the program prints when standard error is a terminal."""
+    with Folder(program) as folder:
+        ours, theirs = pty.openpty()
+        run = subprocess.Popen([program, "--domain", "box:1,1,1", "--psd",
+                                "uniform:0.004,0.008", "--target-porosity", "0.68",
+                                "--order", "descending", "--report", "r.json", *more],
+                               cwd=folder.path, stderr=theirs)
+        os.close(theirs)
+        text = b""
+        try:
+            while True:
+                text += os.read(ours, 65536)
+        except OSError:  # the other end is closed and all is read
+            os.close(ours)
+        equal(run.wait(60), DONE, "exit code")
+        return text.decode(), strict(folder.read("r.json"))["time"]["place"]
+
+
+def bar_on_a_terminal(program):
+    text, seconds = on_a_terminal(program)
+    if seconds > 0.5:  # a machine on which this takes less draws no bar
+        holds(re.search(r"placing \[#*\.*\] +[0-9.]+ %  [0-9]+  [0-9]+[kM]?/s  .* left", text),
+              repr(text))
+        holds(text.endswith("\r\033[K"), "the bar is wiped")
+    equal(on_a_terminal(program, "--quiet")[0], "", "quiet")
+
+
 main([(test.__name__.replace("_", " "), test) for test in (
     report_has_every_key, report_tells_the_options, report_hashes_the_input,
     table_agrees_with_report, table_has_notes, any_machine_makes_the_same_bytes,
@@ -365,6 +394,6 @@ main([(test.__name__.replace("_", " "), test) for test in (
     saturated_below_the_asked_is_said, without_an_amount_it_saturates,
     audit_limit_is_an_option, mixtures_tell_their_parts, containers_of_every_kind, every_law,
     files_replace_what_was_there, packs_go_through_pipes, help_mentions_every_option,
-    version_is_told, numbers_are_the_same_in_every_locale, nothing_on_standard_error)] + [
+    version_is_told, numbers_are_the_same_in_every_locale, nothing_on_standard_error, bar_on_a_terminal)] + [
     ("stops at SIGINT", stops_when_told(signal.SIGINT)),
     ("stops at SIGTERM", stops_when_told(signal.SIGTERM))])
