@@ -19,7 +19,7 @@ enum {
   BAR = 150,
   SHORTEST = 420, /* the bar needs some height */
   FINE = 2,       /* pixels of the raster a pixel of the sheet, each way */
-  CIRCLES = 30000 /* most circles that an SVG draws one by one */
+  CIRCLES = 10000 /* most circles that an SVG draws one by one */
 };
 
 static const rgb WHITE = {1, 1, 1}, BLACK = {0.03, 0.04, 0.09};
