@@ -30,16 +30,18 @@ typedef struct packing_file packing_file;
  *  \param context NULL is fine
  *  \param path "-" is not special
  *  \param[out] file the file
- *  \return PACKING_OK; PACKING_ERR_IO (message: the system's reason); PACKING_ERR_NOMEM */
+ *  \return PACKING_OK; PACKING_ERR_IO (message: the system's reason); PACKING_ERR_INVALID
+ *          (NULL); PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_file_open(packing_context *context,
                                                                  const char *path,
                                                                  packing_file **file);
 
 /** Starts a file beside its place, under a temporary name.
  *  \param context NULL is fine
- *  \param path where it will appear; a device (/dev/full, a pipe) is written in place
+ *  \param path where it will appear; a link to a file is followed; a device (/dev/full, a pipe)
+ *         is written in place
  *  \param[out] file the file
- *  \return PACKING_OK; PACKING_ERR_IO; PACKING_ERR_NOMEM */
+ *  \return PACKING_OK; PACKING_ERR_IO; PACKING_ERR_INVALID (NULL); PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_file_create(packing_context *context, const char *path, packing_file **file);
 
@@ -51,7 +53,8 @@ PACKING_API packing_stream *packing_file_stream(packing_file *file);
 /** Writes what is buffered, syncs, renames to the final name and closes: from here on the
  *  file stands whole, also after a power cut.
  *  \param file made by packing_file_create(); closed in any case, nothing left on failure
- *  \return PACKING_OK; PACKING_ERR_IO (also one that an earlier write had met) */
+ *  \return PACKING_OK; PACKING_ERR_IO (also one that an earlier write had met);
+ *          PACKING_ERR_INVALID (NULL, or opened for reading) */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_file_commit(packing_file *file);
 
 /** Closes a file; one being written is thrown away.
@@ -91,7 +94,9 @@ packing_write_csv(packing_context *context, const packing_csv_def *def,
 
 /** Reads a table as packing_write_csv() makes it: `#` lines skipped, one header line, columns
  *  by name in any order; x, y, r needed, z in three dimensions; id, type, component, vx .. vz,
- *  wx .. wz, qw .. qz known, others refused. Their columns are added to the store.
+ *  wx .. wz, qw .. qz known, others refused. Their columns are added to the store. A vector
+ *  comes whole; in two dimensions vx, vy and wz are enough. A line has at most 8192 bytes, a
+ *  number at most 1024; a UTF-8 byte order mark is skipped.
  *  \param context NULL is fine
  *  \param stream where from
  *  \param[in,out] particles an empty store, of the table's dimension (2 if it has no z); empty
@@ -121,7 +126,8 @@ static inline void packing_vtp_def_init(packing_vtp_def *def)
 }
 
 /** Writes VTK XML PolyData (.vtp): points, vertices, point data `radius` and the optional
- *  columns of the view. In ParaView: Glyph with sphere, scaled by radius, factor 2.
+ *  columns of the view. In ParaView: Glyph with sphere, scaled by radius, factor 2. Compression
+ *  runs on the context's threads; the bytes are the same for any number of them.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param view the pack
@@ -162,7 +168,8 @@ static inline void packing_lammps_def_init(packing_lammps_def *def)
  *  \param view the pack
  *  \param stream where to
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (density; a centre outside the
- *          box; an id not in 1 .. 2^31 - 1; more particles than that); what the stream
+ *          box, an empty box; an id not in 1 .. 2^31 - 1; more particles than that; a type
+ *          below 1); PACKING_ERR_INVALID also for an id that stands twice; what the stream
  *          returns; PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_write_lammps(packing_context *context, const packing_lammps_def *def,
@@ -200,8 +207,10 @@ packing_write_yade(packing_context *context, const packing_yade_def *def,
 /** Options of packing_write_xyz(). */
 typedef struct packing_xyz_def {
   size_t struct_size; /**< set by packing_xyz_def_init() */
-  packing_bounds box; /**< the cell; all zeros (default): around the particles */
-  unsigned periodic;  /**< sum of PACKING_PERIODIC_ */
+  packing_bounds
+      box; /**< the cell; all zeros (default): around the particles; lo.z = hi.z:
+       one largest diameter thick around z = 0 */
+  unsigned periodic; /**< sum of PACKING_PERIODIC_ */
 } packing_xyz_def;
 
 /** Writes the defaults; called through packing_xyz_def_init().
@@ -217,12 +226,12 @@ static inline void packing_xyz_def_init(packing_xyz_def *def)
 }
 
 /** Writes extended XYZ, as OVITO and ASE read it: count, a line of properties with the cell,
- *  rows `X x y z r id`.
+ *  rows `X x y z r id`. Ids are index + 1 unless the view has ids.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param view the pack
  *  \param stream where to
- *  \return PACKING_OK; PACKING_ERR_INVALID; what the stream returns; PACKING_ERR_NOMEM */
+ *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (an empty box); what the stream returns; PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_write_xyz(packing_context *context, const packing_xyz_def *def,
                   const packing_view *view, const packing_stream *stream);

@@ -3,7 +3,7 @@
  *
  * D. Krijgsman, V. Ogarko, S. Luding, "Optimal parameters for a hierarchical grid data structure
  * for contact detection in arbitrarily polydisperse particle systems", Comput. Part. Mech. 1
- * (2014) 357-372, with the levels of its equation for a fixed ratio of 2 between cell sizes.
+ * (2014) 357-372; here cell sizes halve from level to level.
  * Departure: cells are cut along two axes only; along the third, rows of sorted particles are
  * swept. That needs memory for the rows there are, whatever the extent of the pack, and finds
  * 4 r of a row instead of three cells' 6 r. Cost: N log(row length) to build, N for all pairs. */
@@ -11,7 +11,6 @@
 #include "domain/domain_internal.h"
 #include "vec.h"
 #include "view.h"
-#include <float.h>
 #include <math.h>
 
 /* Cells are this much wider than the largest diameter, so that pairs up to that much farther
@@ -22,29 +21,11 @@
 #define LARGEST 1e150
 #define SMALLEST 1e-150
 
-enum { PARALLEL_ROWS = 16, AHEAD = 16 };
-
-/* What a grid is built from. */
-typedef struct source {
-  const packing_view *view;
-  const size_t *selection;
-  size_t count;
-  double r_min;
-  double r_max;
-  packing_vec3 lo; /* extent of the centres, wrapped */
-  packing_vec3 hi;
-} source;
-
 void packing_grid_def_fill(packing_grid_def *def, size_t size)
 {
   packing_grid_def defaults = {0};
   defaults.levels = PACKING_I_GRID_LEVELS;
   packing_i_def_fill(def, size, &defaults, sizeof defaults);
-}
-
-static size_t pick(const source *s, size_t k)
-{
-  return s->selection == NULL ? k : s->selection[k];
 }
 
 static packing_status check_coordinate(packing_context *context, const char *field,
@@ -80,13 +61,13 @@ static double greater(double a, double b)
 }
 
 /* Checks the particles and finds their extent. */
-static packing_status survey(const packing_grid *g, source *s)
+static packing_status survey(const packing_grid *g, packing_i_grid_source *s)
 {
   s->r_min = s->lo.x = s->lo.y = s->lo.z = (double)INFINITY;
   s->r_max = 0;
   s->hi.x = s->hi.y = s->hi.z = -(double)INFINITY;
   for (size_t k = 0; k < s->count; k++) {
-    const size_t i = pick(s, k);
+    const size_t i = packing_i_grid_pick(s, k);
     const packing_vec3 raw = packing_i_view_centre(s->view, i);
     const double r = packing_i_view_r(s->view, i);
     if (!(fabs(raw.x) <= LARGEST && fabs(raw.y) <= LARGEST &&
@@ -131,7 +112,7 @@ static void open_axes(packing_grid *g, const packing_domain *domain)
 }
 
 /* The swept axis is the longest: long rows, few of them. */
-static void choose_axes(packing_grid *g, const source *s)
+static void choose_axes(packing_grid *g, const packing_i_grid_source *s)
 {
   const packing_vec3 e = packing_i_sub(s->hi, s->lo);
   int sweep = 0;
@@ -143,7 +124,7 @@ static void choose_axes(packing_grid *g, const source *s)
   g->order[2] = sweep == 2 ? 1 : 2;
 }
 
-static void cut_cells(packing_grid *g, const source *s)
+static void cut_cells(packing_grid *g, const packing_i_grid_source *s)
 {
   const double width = 2.0 * s->r_max * CELL_SLACK;
   const double most = ldexp(1.0, PACKING_I_GRID_REACH - g->deepest);
@@ -158,183 +139,12 @@ static void cut_cells(packing_grid *g, const source *s)
   }
 }
 
-static int octave_of(const packing_grid *g, const source *s, double r)
-{
-  const int octave = ilogb(s->r_max / r);
-  return octave < g->deepest ? octave : g->deepest;
-}
-
-/* Lists the particles by octave, coarse first; start[o] .. start[o + 1] are those of o. */
-static void sort_octaves(const packing_grid *g, const source *s,
-                         packing_i_grid_record *records, size_t *start)
-{
-  size_t next[PACKING_I_GRID_LEVELS] = {0};
-  for (size_t k = 0; k < s->count; k++)
-    next[octave_of(g, s, packing_i_view_r(s->view, pick(s, k)))]++;
-  start[0] = 0;
-  for (int o = 0; o < PACKING_I_GRID_LEVELS; o++) {
-    start[o + 1] = start[o] + next[o];
-    next[o] = start[o];
-  }
-  for (size_t k = 0; k < s->count; k++) {
-    const size_t i = pick(s, k);
-    const int o = octave_of(g, s, packing_i_view_r(s->view, i));
-    const packing_vec3 p = packing_i_grid_wrap(g, packing_i_view_centre(s->view, i));
-    packing_i_grid_record *record = &records[next[o]++];
-    record->index = i;
-    record->key.b = packing_i_grid_cell(g, &g->axis[g->order[1]],
-                                        packing_i_component(p, g->order[1]), o);
-    record->c = packing_i_grid_cell(g, &g->axis[g->order[2]],
-                                    packing_i_component(p, g->order[2]), o);
-  }
-}
-
-static int begins_row(const packing_i_grid_record *records, size_t i)
-{
-  return i == 0 || records[i].key.b != records[i - 1].key.b ||
-         records[i].c != records[i - 1].c;
-}
-
-static size_t count_rows(const packing_i_grid_record *records, const size_t *start)
-{
-  size_t rows = 0;
-  for (int o = 0; o < PACKING_I_GRID_LEVELS; o++)
-    for (size_t i = start[o]; i < start[o + 1]; i++)
-      rows += (size_t)(i == start[o] || begins_row(records, i));
-  return rows;
-}
-
-static void note_rows(packing_grid *g, const packing_i_grid_record *records,
-                      const size_t *start)
-{
-  size_t row = 0;
-  for (int o = 0; o < PACKING_I_GRID_LEVELS; o++) {
-    if (start[o] == start[o + 1])
-      continue;
-    packing_i_grid_level *level = &g->level[g->levels++];
-    level->octave = o;
-    level->first_row = row;
-    for (size_t i = start[o]; i < start[o + 1]; i++)
-      if (i == start[o] || begins_row(records, i)) {
-        g->rows[row].b = records[i].key.b;
-        g->rows[row].c = records[i].c;
-        g->rows[row++].start = i;
-      }
-    level->end_row = row;
-  }
-  g->rows[row].start = g->count;
-}
-
-/* Sorts rows along the swept axis and takes the particles over. */
-typedef struct takeover {
-  packing_grid *grid;
-  const source *source;
-  packing_i_grid_record *records;
-  packing_i_grid_record *spare;
-  size_t rows;
-} takeover;
-
-/* Asks for a particle that is read some turns later: its place in memory is random. */
-static void call_up(const packing_view *v, size_t i)
-{
-#if defined(__GNUC__)
-  __builtin_prefetch((const char *)v->x.data + i * v->x.stride);
-  __builtin_prefetch((const char *)v->y.data + i * v->y.stride);
-  __builtin_prefetch((const char *)v->r.data + i * v->r.stride);
-  if (v->z.data != NULL)
-    __builtin_prefetch((const char *)v->z.data + i * v->z.stride);
-#else
-  (void)v;
-  (void)i;
-#endif
-}
-
-static void take_rows(void *arg, size_t block)
-{
-  const takeover *t = arg;
-  packing_grid *g = t->grid;
-  const packing_view *view = t->source->view;
-  const size_t first = block * PARALLEL_ROWS;
-  const size_t end = t->rows - first < PARALLEL_ROWS ? t->rows : first + PARALLEL_ROWS;
-  const size_t from = g->rows[first].start, to = g->rows[end].start;
-  for (size_t i = from; i < to; i++) {
-    if (i + AHEAD < to)
-      call_up(view, t->records[i + AHEAD].index);
-    const packing_vec3 p =
-        packing_i_grid_wrap(g, packing_i_view_centre(view, t->records[i].index));
-    t->records[i].key.s = packing_i_component(p, g->order[0]);
-  }
-  for (size_t row = first; row < end; row++) {
-    const size_t start = g->rows[row].start;
-    packing_i_grid_sort_row(t->records + start, t->spare + start,
-                            g->rows[row + 1].start - start);
-  }
-  for (size_t i = from; i < to; i++) {
-    const size_t index = t->records[i].index;
-    const packing_vec3 p = packing_i_grid_wrap(g, packing_i_view_centre(view, index));
-    g->x[i] = p.x;
-    g->y[i] = p.y;
-    g->z[i] = p.z;
-    g->r[i] = packing_i_view_r(view, index);
-    g->index[i] = index;
-  }
-}
-
-static void note_largest(packing_grid *g)
-{
-  for (int l = 0; l < g->levels; l++) {
-    packing_i_grid_level *level = &g->level[l];
-    const size_t end = g->rows[level->end_row].start;
-    for (size_t i = g->rows[level->first_row].start; i < end; i++)
-      level->r_max = greater(level->r_max, g->r[i]);
-  }
-}
-
-static packing_status fill_grid(packing_grid *g, source *s)
-{
-  packing_status status = PACKING_OK;
-  size_t start[PACKING_I_GRID_LEVELS + 1];
-  const size_t count = s->count;
-  takeover t = {g, s, NULL, NULL, 0};
-  t.records = packing_i_alloc(g->allocator, count, sizeof *t.records);
-  t.spare = packing_i_alloc(g->allocator, count, sizeof *t.spare);
-  if (t.records == NULL || t.spare == NULL) {
-    status = packing_i_nomem(g->context);
-    goto out;
-  }
-  sort_octaves(g, s, t.records, start);
-  for (int o = 0; o < PACKING_I_GRID_LEVELS; o++)
-    packing_i_grid_sort_cells(t.records + start[o], t.spare + start[o],
-                              start[o + 1] - start[o]);
-  t.rows = count_rows(t.records, start);
-  g->rows = packing_i_alloc(g->allocator, t.rows + 1, sizeof *g->rows);
-  g->x = packing_i_alloc(g->allocator, count, sizeof *g->x);
-  g->y = packing_i_alloc(g->allocator, count, sizeof *g->y);
-  g->z = packing_i_alloc(g->allocator, count, sizeof *g->z);
-  g->r = packing_i_alloc(g->allocator, count, sizeof *g->r);
-  g->index = packing_i_alloc(g->allocator, count, sizeof *g->index);
-  if (g->rows == NULL || g->x == NULL || g->y == NULL || g->z == NULL || g->r == NULL ||
-      g->index == NULL) {
-    status = packing_i_nomem(g->context);
-    goto out;
-  }
-  g->count = count;
-  note_rows(g, t.records, start);
-  packing_i_parallel(g->context, (t.rows + PARALLEL_ROWS - 1) / PARALLEL_ROWS, take_rows,
-                     &t);
-  note_largest(g);
-out:
-  packing_i_free(g->allocator, t.records);
-  packing_i_free(g->allocator, t.spare);
-  return status;
-}
-
 packing_status packing_i_grid_build(packing_context *context, int levels,
                                     const packing_domain *domain,
                                     const packing_view *view, const size_t *selection,
                                     size_t count, packing_grid **grid)
 {
-  source s = {0};
+  packing_i_grid_source s = {0};
   packing_status status = PACKING_OK;
   const packing_allocator *allocator = packing_i_allocator(context);
   packing_grid *g = packing_i_calloc(allocator, 1, sizeof *g);
@@ -352,7 +162,7 @@ packing_status packing_i_grid_build(packing_context *context, int levels,
     g->deepest = deepest < levels - 1 ? deepest : levels - 1;
     choose_axes(g, &s);
     cut_cells(g, &s);
-    status = fill_grid(g, &s);
+    status = packing_i_grid_fill(g, &s);
   }
   if (status == PACKING_OK)
     *grid = g;

@@ -17,9 +17,10 @@ enum {
   PACKING_I_GRID_BLOCK = 4096 /* particles of a parallel block */
 };
 
-/* Cells are numbered below 2^44 along an axis: then rounding moves a particle by less than
- * 1/256 cell, and particles beyond (no container is so large) share the outermost cells. */
-#define PACKING_I_GRID_REACH 43
+/* Cells are numbered below 2^42 along an axis: then rounding moves a particle by less than
+ * 1/1024 cell (1/256 of a quarter cell), and particles beyond, which no container holds, share
+ * the outermost cells. */
+#define PACKING_I_GRID_REACH 41
 
 /* One row; that of the last ends where the sentinel starts. 24 bytes. */
 typedef struct packing_i_grid_row {
@@ -146,6 +147,27 @@ void packing_i_heap_offer(size_t *heap, size_t capacity, size_t *held, size_t va
 
 /* Turns the heap into a rising list. */
 void packing_i_heap_sort(size_t *heap, size_t held);
+
+/* What a grid is built from. */
+typedef struct packing_i_grid_source {
+  const packing_view *view;
+  const size_t *selection; /* NULL: all of the view */
+  size_t count;
+  double r_min;
+  double r_max;
+  packing_vec3 lo; /* extent of the centres, wrapped */
+  packing_vec3 hi;
+} packing_i_grid_source;
+
+static inline size_t packing_i_grid_pick(const packing_i_grid_source *source, size_t k)
+{
+  return source->selection == NULL ? k : source->selection[k];
+}
+
+/* Allocates the arrays of a grid whose axes are set, and sorts the particles into them. What is
+ * allocated on failure goes with the grid. */
+packing_status packing_i_grid_fill(packing_grid *grid,
+                                   const packing_i_grid_source *source);
 
 /* Records for sorting particles into rows. 24 bytes. */
 typedef struct packing_i_grid_record {

@@ -9,7 +9,7 @@ double packing_i_grid_width(const packing_i_grid_axis *axis, int octave)
 }
 
 /* floor(u 2^octave) with u in cells of octave 0, so cells of one octave nest in those of a
- * coarser one: the product is exact. Open axes start at -2^43 cells of the deepest octave. */
+ * coarser one: the product is exact. Open axes start at -2^41 cells of the deepest octave. */
 uint64_t packing_i_grid_cell(const packing_grid *grid, const packing_i_grid_axis *axis,
                              double v, int octave)
 {
@@ -27,11 +27,12 @@ uint64_t packing_i_grid_cell(const packing_grid *grid, const packing_i_grid_axis
   return (uint64_t)((int64_t)floor(clamped * scale) + (most << octave));
 }
 
-/* Rounding moves a coordinate by less than 1/256 cell; two cells whose numbers differ by more
- * than `cells_within` hold nothing within reach of each other. */
+/* Two cells whose numbers differ by more than this hold nothing within reach of each other; each
+ * end may be off by 1/256 cell. */
 static uint64_t cells_within(const packing_i_grid_axis *axis, int octave, double reach)
 {
-  const double cells = floor(reach / packing_i_grid_width(axis, octave) + 1.0 / 64) + 1.0;
+  const double cells =
+      floor(reach / packing_i_grid_width(axis, octave) + 1.0 / 128) + 1.0;
   const double most = ldexp(1.0, PACKING_I_GRID_REACH + 3);
   return cells < most ? (uint64_t)cells : (uint64_t)most;
 }

@@ -255,6 +255,33 @@ static void scaling_by_powers_of_two_changes_nothing(void **state)
   }
 }
 
+static double fails_beyond_2(void *user, const packing_vec3 *point, packing_vec3 *normal)
+{
+  (void)user;
+  if (normal != NULL)
+    normal->x = normal->y = normal->z = 0;
+  return point->x > 2 ? (double)NAN : 10.0;
+}
+
+static void a_container_that_answers_nan_holds_nothing(void **state)
+{
+  (void)state;
+  pack p = sound_pack();
+  packing_domain_custom_def def;
+  packing_domain *custom = NULL;
+  packing_domain_custom_def_init(&def);
+  def.signed_distance = fails_beyond_2;
+  def.bounds.hi.x = def.bounds.hi.y = def.bounds.hi.z = 2;
+  def.volume = 8;
+  assert_ok(packing_domain_create_custom(NULL, &def, &custom));
+  const packing_audit_report r = audit(&p, custom, -1);
+  assert_int_equal(r.passed, 0);
+  assert_int_equal(r.protrusions, COUNT * 3 / 5);
+  assert_int_equal(r.protrusion_i, 2);
+  assert_true(r.max_protrusion == (double)INFINITY);
+  packing_domain_destroy(custom);
+}
+
 static void audit_refuses_bad_input(void **state)
 {
   (void)state;
@@ -317,6 +344,7 @@ int main(void)
       cmocka_unit_test(the_plane_ignores_z),
       cmocka_unit_test(an_empty_pack_passes),
       cmocka_unit_test(scaling_by_powers_of_two_changes_nothing),
+      cmocka_unit_test(a_container_that_answers_nan_holds_nothing),
       cmocka_unit_test(audit_refuses_bad_input),
       cmocka_unit_test(an_older_report_is_filled_as_far_as_it_goes),
   };

@@ -88,6 +88,32 @@ static void the_distance_is_that_of_the_definition(void **state)
   packing_psd_destroy(other);
 }
 
+/* A law of atoms that is placed exactly is at distance 0; one particle more of a size tells. */
+static void atoms_are_no_distance(void **state)
+{
+  (void)state;
+  const double radii[] = {1, 1.5, 4}, shares[] = {5, 3, 2};
+  packing_psd_discrete_def def;
+  packing_psd *psd = NULL;
+  double r[101];
+  packing_psd_discrete_def_init(&def);
+  def.count = 3;
+  def.r = radii;
+  def.share = shares;
+  def.by = PACKING_BY_NUMBER;
+  assert_ok(packing_psd_create_discrete(NULL, &def, &psd));
+  for (int i = 0; i < 101; i++)
+    r[i] = radii[i % 10 < 5 ? 0 : i % 10 < 8 ? 1 : 2];
+  packing_sizes_report s = compare(psd, r, 100);
+  assert_near(s.ks, 0, 1e-15);
+  assert_near(s.ks_mass, 0, 1e-15);
+  assert_near(s.mean_relative_error, 0, 1e-15);
+  s = compare(psd, r, 101);
+  assert_close(s.ks, 51.0 / 101 - 0.5, 1e-12);
+  assert_close(s.ks, direct_ks(psd, r, 101), 1e-14);
+  packing_psd_destroy(psd);
+}
+
 /* Radii at the middle of n equal shares of a law by mass are 1/(2 n) from it at worst by
  * number; by mass the curve follows within the largest particle's share. */
 static void curves_by_mass_follow_radii_cubed(void **state)
@@ -188,6 +214,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(equal_particles_asked_and_placed),
       cmocka_unit_test(the_distance_is_that_of_the_definition),
+      cmocka_unit_test(atoms_are_no_distance),
       cmocka_unit_test(curves_by_mass_follow_radii_cubed),
       cmocka_unit_test(quantiles_are_the_smallest_that_reach),
       cmocka_unit_test(scaling_by_powers_of_two_changes_nothing),
