@@ -295,7 +295,7 @@ static packing_status draw(drawing *d, const packing_stream *stream, int svg)
   const int width = across > least ? across : least, height = TITLE + field + MARGIN;
   packing_status status = canvas_open(&d->sheet, stream, svg, width, height);
   cairo_save(d->sheet.cr);
-  cairo_translate(d->sheet.cr, MARGIN, TITLE + (field - d->height) / 2);
+  cairo_translate(d->sheet.cr, MARGIN, TITLE + 0.5 * (field - d->height));
   if (status == PACKING_OK)
     status = paint_pack(d);
   draw_outline(d);
