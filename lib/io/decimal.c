@@ -108,3 +108,14 @@ int packing_i_big_compare(packing_i_big *a, int a2, int a10, packing_i_big *b)
       return a->limb[i] < b->limb[i] ? -1 : 1;
   return 0;
 }
+
+packing_i_rounding packing_i_round_exactly(uint64_t m, int e, int q, uint64_t n)
+{
+  packing_i_big exact, middle;
+  packing_i_big_set(&exact, m);
+  packing_i_big_set(&middle, 2 * n + 1);
+  const int sign = packing_i_big_compare(&exact, e + 1, q, &middle);
+  return sign < 0   ? PACKING_I_ROUND_DOWN
+         : sign > 0 ? PACKING_I_ROUND_UP
+                    : PACKING_I_ROUND_TIE;
+}

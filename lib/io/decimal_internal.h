@@ -63,6 +63,10 @@ typedef enum packing_i_rounding {
 /* How to round off the last `shift` bits, 65 to 128, of hi 2^64 + lo: *kept is what stays. */
 packing_i_rounding packing_i_round(const packing_i_scaled *s, int shift, uint64_t *kept);
 
+/* How to round m 2^e 10^q to n or n + 1, when it lies between them: by whole numbers of full
+ * length, which is right always and slow. */
+packing_i_rounding packing_i_round_exactly(uint64_t m, int e, int q, uint64_t n);
+
 /* A whole number of up to 5120 bits: a number of 1024 digits (3402 bits) and the exponent of
  * the least denormal (1075 bits) fit together. */
 enum { PACKING_I_BIG_LIMBS = 160 };

@@ -39,15 +39,8 @@ static uint64_t scaled_digits(uint64_t m, int e, int k)
   const packing_i_scaled s = packing_i_scale10(m, q);
   uint64_t n;
   packing_i_rounding rounding = packing_i_round(&s, -(e + s.exp2), &n);
-  if (rounding == PACKING_I_ROUND_UNSURE) { /* 2 m 2^e 10^q against 2 n + 1 */
-    packing_i_big exact, middle;
-    packing_i_big_set(&exact, m);
-    packing_i_big_set(&middle, 2 * n + 1);
-    const int sign = packing_i_big_compare(&exact, e + 1, q, &middle);
-    rounding = sign < 0   ? PACKING_I_ROUND_DOWN
-               : sign > 0 ? PACKING_I_ROUND_UP
-                          : PACKING_I_ROUND_TIE;
-  }
+  if (rounding == PACKING_I_ROUND_UNSURE)
+    rounding = packing_i_round_exactly(m, e, q, n);
   return n + (rounding == PACKING_I_ROUND_UP ||
               (rounding == PACKING_I_ROUND_TIE && (n & 1) != 0));
 }

@@ -87,9 +87,6 @@ static packing_status check_unique(packing_context *context, const packing_view 
 static packing_status check_ids(packing_context *context, const packing_view *v)
 {
   int rising = 1;
-  if (v->count > INT32_MAX)
-    return packing_i_fail(context, PACKING_ERR_RANGE, "count", PACKING_NO_INDEX,
-                          "%zu particles, LAMMPS takes 2^31 - 1", v->count);
   for (size_t i = 0; i < v->count; i++) {
     const int64_t id = packing_i_view_id(v, i);
     if (id < 1 || id > INT32_MAX)
@@ -176,6 +173,9 @@ packing_status packing_write_lammps(packing_context *context,
   int32_t types;
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_lammps, title, def, &d));
   PACKING_I_TRY(check_def(context, &d));
+  if (view != NULL && view->count > INT32_MAX)
+    return packing_i_fail(context, PACKING_ERR_RANGE, "count", PACKING_NO_INDEX,
+                          "%zu particles, LAMMPS takes 2^31 - 1", view->count);
   PACKING_I_TRY(packing_i_io_view(context, view, d.dim, &v));
   PACKING_I_TRY(packing_i_io_box(context, &v, &d.box, d.dim == 2, &box));
   PACKING_I_TRY(check_inside(context, &v, &box));

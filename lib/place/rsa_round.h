@@ -12,7 +12,7 @@
  * others are settled in order of time. So a round is what a sequence of darts would have been,
  * but walks through memory once; the time of a dart decides, never its place or thread.
  * The idea is that of deterministic reservations (Blelloch, Fineman, Gibbons and Shun, PPoPP
- * 2012). Throwing one dart after the other took five times as long at 1e6 particles
+ * 2012). Throwing one dart after the other took four times as long at 1e6 particles
  * (2026-11-21). */
 
 #include "rsa_cells.h"

@@ -157,17 +157,38 @@ static void powers_and_their_neighbours_are_exact(void **state)
   }
 }
 
-/* Whole numbers beyond 2^53 meet exact ties in the 17th digit. */
+/* Halves, quarters, eighths with as many digits as fit: exact ties in the 17th digit. */
 static void ties_go_to_even(void **state)
 {
   (void)state;
   uint64_t stream = 2385;
-  for (int i = 0; i < 200000; i++) {
+  for (int i = 0; i < 60000; i++) {
     const uint64_t bits = next_bits(&stream);
     assert_formats((double)(bits >> (bits & 7)));
-    /* k + 1/2, 1/4, 1/8 with as many digits as fit */
     assert_formats(ldexp((double)(bits >> 11 | 1), -(int)(bits & 63)));
   }
+}
+
+/* The short product against whole numbers of full length, over all powers of ten and every
+ * shift that 17 digits need; with exact ties where the power is 1. */
+static void short_and_long_products_round_alike(void **state)
+{
+  (void)state;
+  uint64_t stream = 8128;
+  size_t ties = 0;
+  for (int i = 0; i < 100000; i++) {
+    const int q = -292 + i % 633, shift = 69 + i / 633 % 6;
+    uint64_t m = next_bits(&stream) | UINT64_C(1) << 63, kept;
+    if (q == 0)
+      m = (m >> (shift - 63) | 1) << (shift - 63) | UINT64_C(1) << (shift - 64);
+    const packing_i_scaled s = packing_i_scale10(m, q);
+    const int e = -(shift + s.exp2);
+    const packing_i_rounding quick = packing_i_round(&s, shift, &kept);
+    const packing_i_rounding slow = packing_i_round_exactly(m, e, q, kept);
+    assert_true(quick == slow || quick == PACKING_I_ROUND_UNSURE);
+    ties += slow == PACKING_I_ROUND_TIE;
+  }
+  assert_true(ties >= 100);
 }
 
 static void random_bits_are_exact(void **state)
@@ -188,7 +209,7 @@ static void usual_numbers_are_exact(void **state)
 {
   (void)state;
   uint64_t stream = 17;
-  for (int i = 0; i < 300000; i++) {
+  for (int i = 0; i < 100000; i++) {
     const double v = ldexp((double)(next_bits(&stream) >> 11), -53);
     assert_formats(v);
     assert_round_trip(v);
@@ -200,7 +221,7 @@ static void random_texts_parse_as_strtod_does(void **state)
 {
   (void)state;
   uint64_t stream = 5;
-  for (int i = 0; i < 400000; i++) {
+  for (int i = 0; i < 200000; i++) {
     char text[128];
     const uint64_t a = next_bits(&stream), b = next_bits(&stream), c = next_bits(&stream);
     const int exponent = (int)(c % 720) - 370;
@@ -393,6 +414,7 @@ int main(void)
       cmocka_unit_test(edges_are_exact),
       cmocka_unit_test(powers_and_their_neighbours_are_exact),
       cmocka_unit_test(ties_go_to_even),
+      cmocka_unit_test(short_and_long_products_round_alike),
       cmocka_unit_test(random_bits_are_exact),
       cmocka_unit_test(usual_numbers_are_exact),
       cmocka_unit_test(random_texts_parse_as_strtod_does),

@@ -43,6 +43,9 @@ static void volumes_are_exact(void **state)
   assert_close(volume_of((scene){SCENE_CONE, 1, 2, 3, 0, at, 2, 1, 0}), 7 * TEST_PI, eps);
   assert_close(volume_of((scene){SCENE_SILO, 2, 5, 1, 3, at, 2, 0, 0}), 15 * TEST_PI,
                eps);
+  /* A hopper as flat as a sheet: 2/3 of its own cylinder is missing. */
+  assert_close(volume_of((scene){SCENE_SILO, 2, 5, 0, 1e-9, at, 2, 0, 0}),
+               4 * TEST_PI * (5 - 2e-9 / 3), eps);
   assert_close(volume_of((scene){SCENE_SPHERE, 3, 0, 0, 0, at, 2, 0, 0}), 36 * TEST_PI,
                eps);
   assert_close(volume_of((scene){SCENE_CIRCLE, 3, 0, 0, 0, at, 1, 0, 0}), 9 * TEST_PI,

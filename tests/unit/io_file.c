@@ -338,22 +338,25 @@ static void a_pipe_is_written_in_place(void **state)
 static void standard_output_is_written_in_place(void **state)
 {
   place *p = *state;
+  const char *const names[] = {"/dev/stdout", "/proc/self/fd/1"};
   write_file(p->path, "first\n");
   const pid_t child = fork();
   assert_true(child >= 0);
   if (child == 0) {
     packing_file *file = NULL;
     const int fd = open(p->path, O_WRONLY | O_APPEND);
-    if (fd < 0 || dup2(fd, STDOUT_FILENO) < 0 ||
-        packing_file_create(p->context, "/dev/stdout", &file) != PACKING_OK ||
-        put(file, "second\n") != PACKING_OK || packing_file_commit(file) != PACKING_OK)
+    if (fd < 0 || dup2(fd, STDOUT_FILENO) < 0)
       _exit(1);
+    for (int i = 0; i < 2; i++)
+      if (packing_file_create(p->context, names[i], &file) != PACKING_OK ||
+          put(file, "more\n") != PACKING_OK || packing_file_commit(file) != PACKING_OK)
+        _exit(1);
     _exit(0);
   }
   int result;
   assert_int_equal(waitpid(child, &result, 0), child);
   assert_int_equal(result, 0);
-  assert_holds(p, p->path, "first\nsecond\n");
+  assert_holds(p, p->path, "first\nmore\nmore\n");
 }
 
 /* A limit on the size of files stands for a full disk. */
@@ -398,6 +401,22 @@ static void a_failed_rename_leaves_nothing(void **state)
   assert_int_equal(mkdir(p->path, 0700), 0);
   assert_fails(p->context, packing_file_commit(file), PACKING_ERR_IO, "directory");
   assert_int_equal(entries(p->directory), 1);
+}
+
+/* Address 0 of this process: it opens, and cannot be read. */
+static void a_read_that_fails_says_why(void **state)
+{
+  place *p = *state;
+  packing_file *file = NULL;
+  packing_particles *particles = test_store(3);
+  if (access("/proc/self/mem", R_OK) != 0)
+    skip();
+  assert_ok(packing_file_open(p->context, "/proc/self/mem", &file));
+  assert_fails(p->context,
+               packing_read_csv(p->context, packing_file_stream(file), particles),
+               PACKING_ERR_IO, "/proc/self/mem: Input/output error");
+  packing_file_close(file);
+  packing_particles_destroy(particles);
 }
 
 static void commit_is_for_what_was_created(void **state)
@@ -468,6 +487,7 @@ int main(void)
       FILE_TEST(standard_output_is_written_in_place),
       FILE_TEST(a_full_disk_keeps_the_old_file),
       FILE_TEST(a_failed_rename_leaves_nothing),
+      FILE_TEST(a_read_that_fails_says_why),
       FILE_TEST(commit_is_for_what_was_created),
       FILE_TEST(a_file_outlives_its_context),
       FILE_TEST(a_writer_keeps_the_reason_of_the_file),

@@ -181,6 +181,42 @@ static void a_long_sample_grows(void **state)
   free(text);
 }
 
+/* `count` rows, then what follows. */
+static char *rows(int count, const char *end)
+{
+  char *text = malloc((size_t)count * 16 + 100);
+  size_t used = 0;
+  assert_non_null(text);
+  used += (size_t)sprintf(text, "diameter,passing\n");
+  for (int i = 0; i < count; i++)
+    used += (size_t)sprintf(text + used, "%d,0\n", i + 1);
+  strcpy(text + used, end);
+  return text;
+}
+
+static void a_long_curve_grows(void **state)
+{
+  (void)state;
+  char *text = rows(1000, "1001,1\n");
+  packing_psd *psd = taken(curve, text, 0);
+  assert_true(packing_psd_max_r(psd) == 500.5);
+  assert_near(packing_psd_cdf(psd, PACKING_BY_MASS, 500), 0, 1e-12);
+  packing_psd_destroy(psd);
+  free(text);
+}
+
+static void a_curve_has_a_limit(void **state)
+{
+  (void)state;
+  packing_context *c = test_context(1, PACKING_ISA_AUTO);
+  packing_psd *psd = NULL;
+  char *text = rows(100001, "");
+  assert_fails(c, read_text(c, curve, text, 0, &psd), PACKING_ERR_FORMAT,
+               "line 100002: more than 100000 rows");
+  free(text);
+  packing_context_destroy(c);
+}
+
 typedef struct malformed {
   read_function read;
   const char *text;
@@ -295,6 +331,8 @@ int main(void)
       cmocka_unit_test_setup(by_and_dim_are_passed_on, set_up),
       cmocka_unit_test_setup(a_sample_is_its_radii, set_up),
       cmocka_unit_test_setup(a_long_sample_grows, set_up),
+      cmocka_unit_test_setup(a_long_curve_grows, set_up),
+      cmocka_unit_test_setup(a_curve_has_a_limit, set_up),
       cmocka_unit_test_setup(malformed_files_are_refused_with_their_line, set_up),
       cmocka_unit_test_setup(options_are_checked, set_up),
   };

@@ -206,6 +206,14 @@ static void lammps_refuses_what_lammps_would(void **state)
   view.type.data = type;
   view.type.stride = sizeof type[0];
   assert_fails(c, attempt(c, lammps, &view), PACKING_ERR_RANGE, "type: particle 1");
+  view = small_pack();
+  static const double huge[] = {1e308, 1e308};
+  lammps_def.box = unit;
+  view.r.data = huge;
+  assert_fails(c, attempt(c, lammps, &view), PACKING_ERR_RANGE, "r: particle 0");
+  view = small_pack();
+  view.count = (size_t)INT32_MAX + 1; /* refused before any is looked at */
+  assert_fails(c, attempt(c, lammps, &view), PACKING_ERR_RANGE, "count");
   packing_context_destroy(c);
 }
 
