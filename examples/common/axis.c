@@ -15,8 +15,9 @@ static void add_linear_ticks(axis *a)
   const double rough = (a->hi - a->lo) / 5, unit = pow(10, floor(log10(rough)));
   const double lead = rough / unit;
   const double step = unit * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
-  for (double k = ceil(a->lo / step - 1e-9); k * step <= a->hi * (1 + 1e-9); k++)
-    add_tick(a, k * step + 0.0); /* never -0 */
+  const double first = ceil(a->lo / step - 1e-9);
+  for (int i = 0; i < AXIS_TICKS; i++)
+    add_tick(a, (first + i) * step + 0.0); /* never -0 */
 }
 
 /* 1, 2, 5 in each decade; over more than four decades the powers of ten alone. */
@@ -24,7 +25,8 @@ static void add_logarithmic_ticks(axis *a)
 {
   static const double leads[] = {1, 2, 5};
   const int all = log10(a->hi / a->lo) <= 4;
-  for (double k = floor(log10(a->lo)); k <= ceil(log10(a->hi)); k++)
+  const int first = (int)floor(log10(a->lo)), last = (int)ceil(log10(a->hi));
+  for (int k = first; k <= last; k++)
     for (int i = 0; i < (all ? 3 : 1); i++)
       add_tick(a, leads[i] * pow(10, k));
 }

@@ -19,7 +19,7 @@ enum {
   BAR = 150,
   SHORTEST = 420, /* the bar needs some height */
   FINE = 2,       /* pixels of the raster a pixel of the sheet, each way */
-  CIRCLES = 30000 /* most circles that an SVG draws one by one */
+  CIRCLES = 10000 /* most circles that an SVG draws one by one */
 };
 
 static const rgb WHITE = {1, 1, 1}, BLACK = {0.03, 0.04, 0.09};
@@ -295,7 +295,7 @@ static packing_status draw(drawing *d, const packing_stream *stream, int svg)
   const int width = across > least ? across : least, height = TITLE + field + MARGIN;
   packing_status status = canvas_open(&d->sheet, stream, svg, width, height);
   cairo_save(d->sheet.cr);
-  cairo_translate(d->sheet.cr, MARGIN, TITLE + (field - d->height) / 2);
+  cairo_translate(d->sheet.cr, MARGIN, TITLE + 0.5 * (field - d->height));
   if (status == PACKING_OK)
     status = paint_pack(d);
   draw_outline(d);

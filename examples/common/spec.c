@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spec.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "program.h"
@@ -46,6 +47,12 @@ const char spec_help[] =
     "  2                       bad input: one line says what, nothing is written\n"
     "  3                       a file cannot be read or written, or no memory\n"
     "  130                     interrupted, nothing is written\n";
+
+void spec_list(char *list, size_t size, const char *name)
+{
+  const size_t used = strlen(list);
+  snprintf(list + used, size - used, "%s%s", used ? ", " : "", name);
+}
 
 char **spec_split(char *text, char separator, size_t *count)
 {

@@ -57,6 +57,9 @@ int psd_spec_create(packing_context *context, const char *text, int dim,
 /* What --help says about both. */
 extern const char spec_help[];
 
+/* Adds a name to a list "a, b, c" for a message. */
+void spec_list(char *list, size_t size, const char *name);
+
 /* Cuts `text` at each `separator`, in place; free the list, not the words. */
 char **spec_split(char *text, char separator, size_t *count);
 

@@ -41,10 +41,8 @@ enum { KINDS = sizeof kinds / sizeof kinds[0] };
 static int unknown_kind(const char *name)
 {
   char list[256] = "";
-  for (size_t i = 0; i < KINDS; i++) {
-    strcat(list, i ? ", " : "");
-    strcat(list, kinds[i].name);
-  }
+  for (size_t i = 0; i < KINDS; i++)
+    spec_list(list, sizeof list, kinds[i].name);
   return BAD("unknown container '%s'; known are %s", name, list);
 }
 

@@ -226,10 +226,8 @@ enum { LAWS = sizeof laws / sizeof laws[0] };
 static int unknown_law(const char *name)
 {
   char list[256] = "";
-  for (size_t i = 0; i < LAWS; i++) {
-    strcat(list, i ? ", " : "");
-    strcat(list, laws[i].name);
-  }
+  for (size_t i = 0; i < LAWS; i++)
+    spec_list(list, sizeof list, laws[i].name);
   return BAD("unknown size distribution '%s'; known are %s", name, list);
 }
 

@@ -22,15 +22,6 @@ typedef struct room {
   int dim;
 } free_room;
 
-/* Halfway up an edge of its bounds along z one is outside a cylinder along z only. */
-static int is_upright_cylinder(const packing_domain *domain, const packing_bounds *b)
-{
-  if (strcmp(packing_domain_kind(domain), "cylinder") != 0)
-    return 0;
-  const packing_vec3 edge = {b->lo.x, b->lo.y, 0.5 * (b->lo.z + b->hi.z)};
-  return packing_domain_signed_distance(domain, &edge, NULL) < -0.1 * (b->hi.x - b->lo.x);
-}
-
 /* Box, rectangle, and cylinder along z. */
 static packing_status find_room(const packing_placer *placer, free_room *out)
 {
@@ -38,7 +29,8 @@ static packing_status find_room(const packing_placer *placer, free_room *out)
   packing_bounds b;
   packing_domain_bounds(domain, &b);
   const int dim = packing_domain_dim(domain);
-  const int cylinder = is_upright_cylinder(domain, &b);
+  const int cylinder = strcmp(packing_domain_kind(domain), "cylinder") == 0 &&
+                       packing_i_domain_axis(domain) == PACKING_AXIS_Z;
   if (packing_i_domain_planar(domain) == NULL && !cylinder)
     return packing_i_fail(placer->context, PACKING_ERR_UNSUPPORTED, "kind",
                           PACKING_NO_INDEX,

@@ -97,6 +97,18 @@ static inline size_t packing_i_rsa_cells_heads(const packing_i_rsa_cells *c,
   return count;
 }
 
+/* Has the heads of the nine rows of cells around a point fetched; addresses beyond the array do no
+ * harm. */
+static inline void packing_i_rsa_cells_fetch(const packing_i_rsa_cells *c, packing_vec3 p)
+{
+  const uintptr_t row = c->n[0] * sizeof *c->head, layer = row * c->n[1];
+  const uintptr_t first =
+      (uintptr_t)(c->head + packing_i_rsa_cell_of(c, p)) - layer - row;
+  for (uintptr_t k = 0; k < 3; k++)
+    for (uintptr_t j = 0; j < 3; j++)
+      __builtin_prefetch((const void *)(first + k * layer + j * row));
+}
+
 /* One of the up to 27 cells around a cell, with the shift that moves its records next to it. */
 typedef struct packing_i_rsa_near {
   uint32_t cell;

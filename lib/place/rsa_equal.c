@@ -260,7 +260,9 @@ packing_status packing_i_rsa_equal_start(packing_placer *placer,
   e->scene = (packing_i_rsa_scene){placer, &e->cells, r, boxlike, {row_point, e}};
   if (expected > 0) {
     PACKING_I_TRY(packing_particles_reserve(placer->particles, expected));
-    PACKING_I_TRY(packing_i_rsa_cells_reserve(&e->cells, context, expected));
+    /* The candidates of the last rounds are more than what is kept of them. */
+    PACKING_I_TRY(
+        packing_i_rsa_cells_reserve(&e->cells, context, expected + expected / 4 + 64));
   }
   return add_obstacles(placer, e);
 }

@@ -7,6 +7,7 @@ enum {
   COUNTS_A_UNIT = 1 << 16,
   DARTS_A_BLOCK = 1024,
   BLOCKS_A_UNIT = 16,
+  DARTS_AHEAD = 16,
   CANDIDATES_A_UNIT = 1 << 14,
   CANDIDATES_A_BLOCK = 2048,
   PURPOSE_COUNT = 64, /* streams of our own beside PACKING_PURPOSE_POSITION */
@@ -129,6 +130,31 @@ static size_t bin_of(const packing_i_rsa_round *round, size_t dart)
   return low;
 }
 
+typedef struct dart_point {
+  packing_vec3 p;
+  size_t dart;
+} dart_point;
+
+/* Draws the points of some darts, and has the cells around them fetched. */
+static size_t draw_points(const packing_i_rsa_round *round,
+                          const packing_i_rsa_scene *scene, size_t from, size_t to,
+                          size_t *bin, dart_point *out)
+{
+  size_t count = 0;
+  for (size_t dart = from; dart < to; dart++) {
+    uint32_t random[4];
+    while (round->first[*bin + 1] <= dart)
+      ++*bin;
+    random_of(round, round->key, dart, random);
+    out[count].dart = dart;
+    if (!scene->target.point(scene->target.user, *bin, random, &out[count].p))
+      continue;
+    packing_i_rsa_cells_fetch(scene->cells, out[count].p);
+    count++;
+  }
+  return count;
+}
+
 static void throw_block(void *arg, size_t block)
 {
   const round_task *task = arg;
@@ -140,19 +166,21 @@ static void throw_block(void *arg, size_t block)
   const size_t to = from + DARTS_A_BLOCK < end ? from + DARTS_A_BLOCK : end;
   uint32_t found = 0;
   size_t bin = bin_of(round, from);
-  for (size_t dart = from; dart < to; dart++) {
-    uint32_t random[4];
-    packing_vec3 p;
-    while (round->first[bin + 1] <= dart)
-      bin++;
-    random_of(round, round->key, dart, random);
-    if (!scene->target.point(scene->target.user, bin, random, &p) ||
-        (!scene->boxlike && !packing_domain_holds(scene->placer->domain, &p, scene->r)) ||
-        !packing_i_rsa_cells_free(scene->cells, p))
-      continue;
-    random_of(round, round->time_key, dart, random);
-    out[found++] =
-        (packing_i_rsa_candidate){p.x, p.y, p.z, (uint64_t)random[1] << 32 | random[0]};
+  dart_point points[DARTS_AHEAD];
+  for (size_t at = from; at < to; at += DARTS_AHEAD) {
+    const size_t stop = at + DARTS_AHEAD < to ? at + DARTS_AHEAD : to;
+    const size_t count = draw_points(round, scene, at, stop, &bin, points);
+    for (size_t i = 0; i < count; i++) {
+      const packing_vec3 p = points[i].p;
+      uint32_t random[4];
+      if ((!scene->boxlike &&
+           !packing_domain_holds(scene->placer->domain, &p, scene->r)) ||
+          !packing_i_rsa_cells_free(scene->cells, p))
+        continue;
+      random_of(round, round->time_key, points[i].dart, random);
+      out[found++] =
+          (packing_i_rsa_candidate){p.x, p.y, p.z, (uint64_t)random[1] << 32 | random[0]};
+    }
   }
   round->scratch_count[block] = found;
 }
@@ -209,16 +237,17 @@ static packing_vec3 place_of(const packing_i_rsa_round *round, size_t i)
 
 /* Candidates join the chains of their cells, ahead of what stands. */
 static packing_status link_step(packing_i_rsa_round *round,
-                                const packing_i_rsa_scene *scene)
+                                const packing_i_rsa_scene *scene, size_t most)
 {
   packing_i_rsa_cells *cells = scene->cells;
   packing_particles *store = scene->placer->particles;
   if (round->at == 0) {
     PACKING_I_TRY(packing_i_rsa_cells_reserve(cells, scene->placer->context,
                                               cells->count + round->candidates));
-    if (store->count + round->candidates > store->capacity)
-      PACKING_I_TRY(packing_particles_reserve(store, store->count + round->candidates +
-                                                         store->count / 2));
+    const size_t more = round->candidates < most ? round->candidates : most;
+    if (store->count + more > store->capacity)
+      PACKING_I_TRY(
+          packing_particles_reserve(store, store->count + more + store->count / 2));
     round->base = cells->count;
   }
   const size_t n = portion(round, round->candidates, CANDIDATES_A_UNIT);
@@ -444,7 +473,7 @@ packing_status packing_i_rsa_round_step(packing_i_rsa_round *round,
   case PACKING_I_RSA_THROW:
     return throw_step(round, scene);
   case PACKING_I_RSA_LINK:
-    return link_step(round, scene);
+    return link_step(round, scene, most);
   case PACKING_I_RSA_DECIDE:
     decide_step(round, scene);
     break;

@@ -93,9 +93,11 @@ static int resolved(const packing_i_smooth_builder *b, const double *f,
     least = fmin(least, f[i]);
     slope = fmax(slope, fabs(f[i] - f[i - 1]) / (b->point[i] - b->point[i - 1]));
   }
+  if (isfinite(log_largest) && log(largest) < log_largest - 1)
+    return 0; /* the largest lies between the points */
   if (largest < DBL_MIN)
     return 1; /* denormals have no digits left to resolve */
-  if (isfinite(log_largest) && (log(largest) < log_largest - 1 || least < 0.03 * largest))
+  if (isfinite(log_largest) && least < 0.03 * largest)
     return 0;
   const int last = PACKING_I_TERMS - 1;
   const double tail = (2 * last + 1) * (fabs(term[last]) + fabs(term[last - 1]));
