@@ -255,8 +255,14 @@ packing_status packing_i_rsa_equal_start(packing_placer *placer,
   const size_t expected = expected_count(placer, e);
   PACKING_I_TRY(
       packing_i_rsa_cells_init(&e->cells, context, placer->domain, r, expected));
-  e->space = (packing_i_rsa_space){&e->cells, placer->domain, r, placer->particles->dim,
-                                   boxlike,   context};
+  e->space =
+      (packing_i_rsa_space){&e->cells,
+                            placer->domain,
+                            r,
+                            placer->particles->dim,
+                            boxlike,
+                            context,
+                            packing_i_rsa_children_for(packing_context_isa(context))};
   e->scene = (packing_i_rsa_scene){placer, &e->cells, r, boxlike, {row_point, e}};
   if (expected > 0) {
     PACKING_I_TRY(packing_particles_reserve(placer->particles, expected));

@@ -4,10 +4,7 @@
 enum {
   PORTION = 4096, /* parents split before a step may return */
   PARENTS_A_TASK = 512,
-  CHILDREN = 8,
-  MOST_NEAR =
-      1024 /* centres kept of the 27 cells; more are only possible among obstacles that
-                      overlap one another, and leaving some out keeps voxels, never drops them */
+  CHILDREN = 8
 };
 
 /* A ball must cover a voxel by this share of its radius squared to drop it: far above what
@@ -89,13 +86,6 @@ packing_vec3 packing_i_rsa_voxel_point(const packing_i_rsa_voxels *voxels,
                        cells->lo.z + z * cells->edge.z);
 }
 
-/* The centres around a cell, relative to its lowest corner. */
-typedef struct near_centres {
-  double x[MOST_NEAR], y[MOST_NEAR], z[MOST_NEAR];
-  size_t count;
-  packing_vec3 holding[MOST_NEAR + 1]; /* of one parent, relative to it */
-} near_centres;
-
 static packing_vec3 corner_of(const packing_i_rsa_cells *cells, uint32_t cell)
 {
   const uint32_t nx = cells->n[0], ny = cells->n[1], k = cell / nx / ny;
@@ -104,7 +94,8 @@ static packing_vec3 corner_of(const packing_i_rsa_cells *cells, uint32_t cell)
                        cells->lo.z + (double)k * cells->edge.z);
 }
 
-static void gather(const packing_i_rsa_cells *cells, uint32_t cell, near_centres *near)
+static void gather(const packing_i_rsa_cells *cells, uint32_t cell,
+                   packing_i_rsa_near_centres *near)
 {
   packing_i_rsa_near around[27];
   const size_t count = packing_i_rsa_cells_around(cells, cell, around);
@@ -112,30 +103,14 @@ static void gather(const packing_i_rsa_cells *cells, uint32_t cell, near_centres
   near->count = 0;
   for (size_t i = 0; i < count; i++) {
     const packing_vec3 shift = packing_i_sub(around[i].shift, corner);
-    for (uint32_t at = cells->head[around[i].cell]; at != 0 && near->count < MOST_NEAR;
-         at = cells->record[at - 1].next) {
+    for (uint32_t at = cells->head[around[i].cell];
+         at != 0 && near->count < PACKING_I_MOST_NEAR; at = cells->record[at - 1].next) {
       const packing_i_rsa_record *q = &cells->record[at - 1];
       near->x[near->count] = q->x + shift.x;
       near->y[near->count] = q->y + shift.y;
       near->z[near->count++] = q->z + shift.z;
     }
   }
-}
-
-/* Which of the eight children a ball around q (relative to the parent's centre) covers: child k
- * is centred at (+-h.x, +-h.y, +-h.z) and has half edges h. */
-static unsigned covered(packing_vec3 q, packing_vec3 h, double reach2)
-{
-  /* Farthest distance along each axis to the lower and to the upper half. */
-  const double lx = fabs(q.x + h.x) + h.x, ux = fabs(q.x - h.x) + h.x;
-  const double ly = fabs(q.y + h.y) + h.y, uy = fabs(q.y - h.y) + h.y;
-  const double lz = fabs(q.z + h.z) + h.z, uz = fabs(q.z - h.z) + h.z;
-  const double x[2] = {lx * lx, ux * ux}, y[2] = {ly * ly, uy * uy},
-               z[2] = {lz * lz, uz * uz};
-  unsigned mask = 0;
-  for (unsigned k = 0; k < CHILDREN; k++)
-    mask |= (unsigned)(x[k & 1U] + y[k >> 1 & 1U] + z[k >> 2] < reach2) << k;
-  return mask;
 }
 
 /* Children of which no point is as far inside the container as a centre must be. */
@@ -177,7 +152,8 @@ static packing_i_rsa_voxel parent_at(const packing_i_rsa_voxels *voxels, size_t 
 }
 
 /* Which children of a parent are kept. */
-static unsigned children_kept(const packing_i_rsa_space *space, near_centres *near,
+static unsigned children_kept(const packing_i_rsa_space *space,
+                              packing_i_rsa_near_centres *near,
                               packing_i_rsa_voxel parent, double part)
 {
   const packing_vec3 edge = packing_i_scale(space->cells->edge, part);
@@ -185,19 +161,8 @@ static unsigned children_kept(const packing_i_rsa_space *space, near_centres *ne
   const packing_vec3 centre = packing_i_vec(((double)parent.at[0] + 0.5) * edge.x,
                                             ((double)parent.at[1] + 0.5) * edge.y,
                                             ((double)parent.at[2] + 0.5) * edge.z);
-  const double reach2 = space->cells->diameter2 * safe;
-  unsigned dropped = twins(h);
-  /* The parent's centre is a corner of every child: only balls that hold it can cover one.
-   * Collected without branches, since about one in four does. */
-  size_t count = 0;
-  for (size_t i = 0; i < near->count; i++) {
-    const double x = near->x[i] - centre.x, y = near->y[i] - centre.y,
-                 z = near->z[i] - centre.z;
-    near->holding[count] = packing_i_vec(x, y, z);
-    count += x * x + y * y + z * z < reach2;
-  }
-  for (size_t i = 0; i < count && dropped != 0xffU; i++)
-    dropped |= covered(near->holding[i], h, reach2);
+  unsigned dropped =
+      space->children(near, centre, h, space->cells->diameter2 * safe, twins(h));
   if (!space->boxlike && dropped != 0xffU)
     dropped |=
         outside(space, packing_i_add(corner_of(space->cells, parent.cell), centre), h);
@@ -211,7 +176,7 @@ static void split_block(void *arg, size_t block)
   const size_t from = block * PARENTS_A_TASK;
   const size_t to =
       from + PARENTS_A_TASK < task->count ? from + PARENTS_A_TASK : task->count;
-  near_centres near;
+  packing_i_rsa_near_centres near;
   near.count = 0;
   uint32_t gathered = UINT32_MAX;
   for (size_t i = from; i < to; i++) {

@@ -9,6 +9,7 @@
  * Forum 31, 785 (2012). */
 
 #include "rsa_cells.h"
+#include "rsa_children.h"
 
 typedef struct packing_i_rsa_voxel {
   uint32_t cell;
@@ -46,6 +47,7 @@ typedef struct packing_i_rsa_space {
   int dim;
   int boxlike; /* the region of centres is the box of the cells */
   packing_context *context;
+  packing_i_rsa_children children;
 } packing_i_rsa_space;
 
 /* Starts with all cells as the parents of the first split. */

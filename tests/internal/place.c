@@ -4,6 +4,7 @@
 
 #include "place/place_index.h"
 #include "place/rsa_cells.h"
+#include "place/rsa_children.h"
 
 static int brute_free(const packing_domain *domain, const packing_particles *store,
                       packing_vec3 p, double r)
@@ -90,6 +91,59 @@ static void cells_find_what_all_pairs_find(void **state)
   packing_rng_destroy(rng);
 }
 
+/* The farthest corner of each child, one by one. */
+static unsigned brute_covered(const packing_i_rsa_near_centres *near, packing_vec3 c,
+                              packing_vec3 h, double reach2)
+{
+  unsigned covered = 0;
+  for (unsigned k = 0; k < 8; k++)
+    for (size_t i = 0; i < near->count; i++) {
+      double farthest = 0;
+      for (unsigned corner = 0; corner < 8; corner++) {
+        const double x = c.x + (k & 1U ? h.x : -h.x) + (corner & 1U ? h.x : -h.x);
+        const double y = c.y + (k & 2U ? h.y : -h.y) + (corner & 2U ? h.y : -h.y);
+        const double z = c.z + (k & 4U ? h.z : -h.z) + (corner & 4U ? h.z : -h.z);
+        const double dx = near->x[i] - x, dy = near->y[i] - y, dz = near->z[i] - z;
+        farthest = fmax(farthest, dx * dx + dy * dy + dz * dz);
+      }
+      covered |= (unsigned)(farthest < reach2) << k;
+    }
+  return covered;
+}
+
+/* Every instruction set gives the bits of the plain code, which are those of all corners. */
+static void children_are_covered_alike(void **state)
+{
+  (void)state;
+  static packing_i_rsa_near_centres near;
+  packing_rng *rng = NULL;
+  size_t seen = 0;
+  assert_ok(packing_rng_create(NULL, 8, PACKING_PURPOSE_USER, 0, &rng));
+  for (int trial = 0; trial < 20000; trial++) {
+    near.count = packing_rng_below(rng, 40);
+    for (size_t i = 0; i < near.count; i++) {
+      const packing_vec3 p = point_in(rng, 3, 3, 3);
+      near.x[i] = p.x - 1;
+      near.y[i] = p.y - 1;
+      near.z[i] = p.z - 1;
+    }
+    const packing_vec3 centre = point_in(rng, 1, 1, 1);
+    const double edge = pow(0.5, 1 + (int)packing_rng_below(rng, 5));
+    const packing_vec3 h = {edge / 2, edge / 2.1, trial % 5 == 0 ? 0 : edge / 1.9};
+    const unsigned covered =
+        packing_i_rsa_children_for(PACKING_ISA_BASELINE)(&near, centre, h, 1.0, 0);
+    assert_int_equal(covered, brute_covered(&near, centre, h, 1.0));
+    for (int isa = PACKING_ISA_AVX2; isa < PACKING_ISA_END; isa++)
+      if (packing_isa_available((packing_isa)isa))
+        assert_int_equal(
+            packing_i_rsa_children_for((packing_isa)isa)(&near, centre, h, 1.0, 0),
+            covered);
+    seen += covered != 0 && covered != 0xff;
+  }
+  assert_true(seen > 1000);
+  packing_rng_destroy(rng);
+}
+
 /* A few particles in a huge container: memory goes with particles, not with volume. */
 static void memory_goes_with_particles(void **state)
 {
@@ -122,6 +176,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(index_finds_what_all_pairs_find),
       cmocka_unit_test(cells_find_what_all_pairs_find),
+      cmocka_unit_test(children_are_covered_alike),
       cmocka_unit_test(memory_goes_with_particles),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
