@@ -57,6 +57,7 @@ packing_status packing_i_smooth_begin(packing_i_smooth_builder *builder,
 typedef struct values {
   double x[PACKING_I_TERMS];
   double f[2][PACKING_I_TERMS];
+  double largest; /* of the density as it is given */
 } values;
 
 static void sample(const packing_i_smooth_builder *b, const packing_i_density *density,
@@ -64,10 +65,13 @@ static void sample(const packing_i_smooth_builder *b, const packing_i_density *d
 {
   const packing_psd *psd = &b->smooth->base;
   const int e = packing_i_psd_number_exponent(psd->by, psd->dim);
+  v->largest = 0;
   for (int i = 0; i < PACKING_I_TERMS; i++) {
     const double x = fmin(lo + lo * expm1(half * (b->point[i] + 1)), hi);
+    const double f = density->at(density->law, x);
     v->x[i] = x;
-    v->f[0][i] = density->at(density->law, x) * gsl_pow_int(x, e);
+    v->largest = fmax(v->largest, f);
+    v->f[0][i] = f * gsl_pow_int(x, e);
     v->f[1][i] = v->f[0][i] * gsl_pow_int(x, psd->dim);
   }
 }
@@ -85,7 +89,8 @@ static void fit(const packing_i_smooth_builder *b, const double *f, double *term
 /* Whether the series stands for the density. `log_largest` is -infinity where nothing is known
  * of the panel; else the density may also not fall by more than a factor 30, for Newton's sake. */
 static int resolved(const packing_i_smooth_builder *b, const double *f,
-                    const double *term, double half, double log_largest)
+                    const double *term, double half, double log_largest,
+                    double given_largest)
 {
   double largest = f[0], least = f[0], slope = 0;
   for (int i = 1; i < PACKING_I_TERMS; i++) {
@@ -95,7 +100,7 @@ static int resolved(const packing_i_smooth_builder *b, const double *f,
   }
   if (isfinite(log_largest) && log(largest) < log_largest - 1)
     return 0; /* the largest lies between the points */
-  if (largest < DBL_MIN)
+  if (largest < DBL_MIN || given_largest < DBL_MIN)
     return 1; /* denormals have no digits left to resolve */
   if (isfinite(log_largest) && least < 0.03 * largest)
     return 0;
@@ -171,7 +176,7 @@ static int make_panel(packing_i_smooth_builder *b, const packing_i_density *dens
     const int n = by == 0 ? 0 : b->smooth->base.dim;
     fit(b, v.f[by], panel->term[by]);
     if (may_halve && !resolved(b, v.f[by], panel->term[by], panel->half,
-                               log_largest(b, density, lo, hi, n)))
+                               log_largest(b, density, lo, hi, n), v.largest))
       return 0;
   }
   add_totals(b, &v, panel->half);
