@@ -152,9 +152,9 @@ static inline void packing_coordination_def_init(packing_coordination_def *def)
 
 /** What packing_measure_coordination() found. Walls do not count as contacts. */
 typedef struct packing_coordination_report {
-  size_t struct_size;      /**< set by packing_coordination_report_init() */
-  size_t contacts;         /**< pairs in contact */
-  double mean;             /**< contacts a particle, 2 contacts / count [1] */
+  size_t struct_size; /**< set by packing_coordination_report_init() */
+  size_t contacts;    /**< pairs in contact */
+  double mean;        /**< contacts a particle, 2 contacts / count; NaN of none [1] */
   double mean_no_rattlers; /**< the same among the rest once rattlers are
        removed over and over; NaN where none is left [1] */
   size_t rattlers;         /**< particles removed */

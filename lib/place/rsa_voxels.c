@@ -2,7 +2,7 @@
 #include "rsa_voxels.h"
 
 enum {
-  PORTION = 8192, /* parents split before a step may return */
+  PORTION = 4096, /* parents split before a step may return */
   PARENTS_A_TASK = 512,
   CHILDREN = 8,
   MOST_NEAR =

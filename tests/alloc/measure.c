@@ -26,7 +26,7 @@ static packing_status run_audit(packing_context *context, uint64_t *hash)
   pack p;
   packing_audit_report report;
   packing_domain *box = test_box(SIDE, SIDE, SIDE, 1);
-  fill(&p, NAN);
+  fill(&p, (double)NAN);
   packing_audit_report_init(&report);
   const packing_status status = packing_audit(context, NULL, box, &p.view, &report);
   if (status == PACKING_OK)

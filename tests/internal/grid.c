@@ -86,7 +86,7 @@ static void cells_nest(void **state)
 {
   (void)state;
   packing_grid grid = {.deepest = 20};
-  packing_i_grid_axis open = {.half = INFINITY, .width = 0.7};
+  packing_i_grid_axis open = {.half = (double)INFINITY, .width = 0.7};
   packing_i_grid_axis ring = {
       .lo = -1, .hi = 2, .period = 3, .half = 1.5, .width = 0.6, .cells = 5};
   const double at[] = {-1e300,

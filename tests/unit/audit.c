@@ -172,10 +172,10 @@ static void bad_numbers_are_left_out(void **state)
   (void)state;
   pack p = sound_pack();
   packing_domain *box = test_box(SIDE, SIDE, SIDE, 0);
-  p.x[3] = NAN;
-  p.y[50] = INFINITY;
-  p.z[51] = -INFINITY;
-  p.r[52] = NAN;
+  p.x[3] = (double)NAN;
+  p.y[50] = (double)INFINITY;
+  p.z[51] = -(double)INFINITY;
+  p.r[52] = (double)NAN;
   p.r[53] = 0;
   p.r[54] = -0.4;
   p.x[31] += 0.3;
@@ -293,7 +293,7 @@ static void audit_refuses_bad_input(void **state)
   report.overlaps = 77;
   packing_audit_def_init(&def);
   packing_view_init_arrays(&p.view, COUNT, p.x, p.y, p.z, p.r);
-  def.limit = NAN;
+  def.limit = (double)NAN;
   assert_fails(context, packing_audit(context, &def, NULL, &p.view, &report),
                PACKING_ERR_INVALID, "limit");
   def.limit = -1e-9;

@@ -209,7 +209,7 @@ static void coordination_refuses_bad_input(void **state)
   def.tolerance = -1;
   assert_fails(context, packing_measure_coordination(context, &def, NULL, &p->view, &r),
                PACKING_ERR_RANGE, "tolerance");
-  def.tolerance = INFINITY;
+  def.tolerance = (double)INFINITY;
   assert_fails(context, packing_measure_coordination(context, &def, NULL, &p->view, &r),
                PACKING_ERR_INVALID, "tolerance");
   packing_coordination_def_init(&def);
@@ -223,7 +223,7 @@ static void coordination_refuses_bad_input(void **state)
                PACKING_ERR_INVALID, "view");
   assert_fails(context, packing_measure_coordination(context, NULL, NULL, &p->view, NULL),
                PACKING_ERR_INVALID, "report");
-  p->r[0] = NAN;
+  p->r[0] = (double)NAN;
   assert_fails(context, packing_measure_coordination(context, NULL, NULL, &p->view, &r),
                PACKING_ERR_INVALID, "particle 0");
   assert_true(r.mean == 0);

@@ -204,12 +204,12 @@ static void creation_refuses_bad_input(void **state)
     packing_status status;
     const char *field;
   } bad[] = {
-      {&p->x[3], NAN, PACKING_ERR_INVALID, "x"},
-      {&p->y[3], INFINITY, PACKING_ERR_INVALID, "y"},
-      {&p->z[3], -INFINITY, PACKING_ERR_INVALID, "z"},
+      {&p->x[3], (double)NAN, PACKING_ERR_INVALID, "x"},
+      {&p->y[3], (double)INFINITY, PACKING_ERR_INVALID, "y"},
+      {&p->z[3], -(double)INFINITY, PACKING_ERR_INVALID, "z"},
       {&p->z[3], 1e200, PACKING_ERR_RANGE, "z"},
-      {&p->r[3], NAN, PACKING_ERR_INVALID, "r"},
-      {&p->r[3], INFINITY, PACKING_ERR_INVALID, "r"},
+      {&p->r[3], (double)NAN, PACKING_ERR_INVALID, "r"},
+      {&p->r[3], (double)INFINITY, PACKING_ERR_INVALID, "r"},
       {&p->r[3], 0, PACKING_ERR_RANGE, "r"},
       {&p->r[3], -1, PACKING_ERR_RANGE, "r"},
       {&p->r[3], 1e200, PACKING_ERR_RANGE, "r"},
@@ -241,16 +241,16 @@ static void queries_refuse_bad_input(void **state)
                PACKING_ERR_INVALID, "point");
   assert_fails(context, packing_grid_near(grid, &at, -1, NULL, 0, &count),
                PACKING_ERR_INVALID, "reach");
-  assert_fails(context, packing_grid_near(grid, &at, NAN, NULL, 0, &count),
+  assert_fails(context, packing_grid_near(grid, &at, (double)NAN, NULL, 0, &count),
                PACKING_ERR_INVALID, "reach");
   assert_fails(context, packing_grid_near(grid, &at, 0, NULL, 1, &count),
                PACKING_ERR_INVALID, "indices");
   assert_fails(context, packing_grid_near(grid, &at, 0, NULL, 0, NULL),
                PACKING_ERR_INVALID, "count");
-  at.y = NAN;
+  at.y = (double)NAN;
   assert_fails(context, packing_grid_near(grid, &at, 0, NULL, 0, &count),
                PACKING_ERR_INVALID, "point");
-  assert_fails(context, packing_grid_pairs(grid, INFINITY, NULL, 0, &count),
+  assert_fails(context, packing_grid_pairs(grid, (double)INFINITY, NULL, 0, &count),
                PACKING_ERR_INVALID, "gap");
   assert_fails(context, packing_grid_pairs(grid, 0, NULL, 3, &count), PACKING_ERR_INVALID,
                "pairs");

@@ -189,7 +189,7 @@ static void a_view_without_z_lies_in_the_plane(void **state)
 static void failing_views_change_nothing(void **state)
 {
   packing_context *context = context_of(state);
-  const double bad[] = {NAN, INFINITY, -INFINITY, 0, -1};
+  const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY, 0, -1};
   for (int b = 0; b < 5; b++)
     for (int where = 0; where < 4; where++) {
       packing_particles *p = make(context, 3, 0);
@@ -292,12 +292,13 @@ static void add_refuses_bad_numbers(void **state)
   packing_vec3 c = origin;
   assert_fails(context, packing_particles_add(p, c, 0, NULL), PACKING_ERR_RANGE, "r");
   assert_fails(context, packing_particles_add(p, c, -1, NULL), PACKING_ERR_RANGE, "r");
-  assert_fails(context, packing_particles_add(p, c, NAN, NULL), PACKING_ERR_INVALID, "r");
-  c.y = INFINITY;
+  assert_fails(context, packing_particles_add(p, c, (double)NAN, NULL),
+               PACKING_ERR_INVALID, "r");
+  c.y = (double)INFINITY;
   assert_fails(context, packing_particles_add(p, c, 1, NULL), PACKING_ERR_INVALID,
                "centre.y");
   c = origin;
-  c.x = NAN;
+  c.x = (double)NAN;
   assert_fails(context, packing_particles_add(p, c, 1, NULL), PACKING_ERR_INVALID,
                "centre.x");
   c = origin;
@@ -353,7 +354,7 @@ static void columns_are_checked(void **state)
                PACKING_ERR_RANGE, "stride");
   assert_fails(context, packing_particles_extract(p, PACKING_FIELD_X, NULL, 8),
                PACKING_ERR_INVALID, "x");
-  numbers[1] = NAN;
+  numbers[1] = (double)NAN;
   assert_fails(context, packing_particles_set(p, PACKING_FIELD_VZ, numbers, 8),
                PACKING_ERR_INVALID, "vz");
   numbers[1] = 0;

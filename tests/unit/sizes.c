@@ -198,7 +198,7 @@ static void sizes_refuse_bad_input(void **state)
   r[2] = 0;
   assert_fails(context, packing_measure_sizes(context, psd, &v, &s), PACKING_ERR_RANGE,
                "particle 2");
-  r[2] = NAN;
+  r[2] = (double)NAN;
   assert_fails(context, packing_measure_sizes(context, psd, &v, &s), PACKING_ERR_INVALID,
                "particle 2");
   s.struct_size = 0;

@@ -149,7 +149,7 @@ static void discs_are_cut_too(void **state)
   (void)state;
   pack *p = new_pack();
   packing_domain *square = test_rectangle(1, 1, 0);
-  add(p, 0.5, 0.004, NAN, 0.01);
+  add(p, 0.5, 0.004, (double)NAN, 0.01);
   const packing_volume_report r = measure(p, square, 3);
   assert_close(r.solid_volume, 2.348919228459e-4, 1e-12);
   assert_true(r.domain_volume == 1);
@@ -205,11 +205,11 @@ static void volume_refuses_bad_input(void **state)
     packing_status status;
     const char *field;
   } bad[] = {{-1, 1e-9, PACKING_ERR_RANGE, "inner_margin"},
-             {NAN, 1e-9, PACKING_ERR_INVALID, "inner_margin"},
-             {INFINITY, 1e-9, PACKING_ERR_INVALID, "inner_margin"},
+             {(double)NAN, 1e-9, PACKING_ERR_INVALID, "inner_margin"},
+             {(double)INFINITY, 1e-9, PACKING_ERR_INVALID, "inner_margin"},
              {3, 0, PACKING_ERR_RANGE, "tolerance"},
              {3, 1, PACKING_ERR_RANGE, "tolerance"},
-             {3, NAN, PACKING_ERR_INVALID, "tolerance"}};
+             {3, (double)NAN, PACKING_ERR_INVALID, "tolerance"}};
   for (size_t b = 0; b < sizeof bad / sizeof bad[0]; b++) {
     packing_volume_def_init(&def);
     def.inner_margin = bad[b].margin;
@@ -226,7 +226,7 @@ static void volume_refuses_bad_input(void **state)
   def.struct_size = 0;
   assert_fails(context, packing_measure_volume(context, &def, box, &p->view, &r),
                PACKING_ERR_ABI, "struct_size");
-  p->y[1] = NAN;
+  p->y[1] = (double)NAN;
   assert_fails(context, packing_measure_volume(context, NULL, box, &p->view, &r),
                PACKING_ERR_INVALID, "y: of particle 1");
   p->y[1] = 0.5;
