@@ -12,6 +12,10 @@ for tool in abidw abidiff readelf; do
     exit 77
   }
 done
+if [ "$(uname -m)" != x86_64 ]; then
+  echo "skipped: the ABI was recorded on x86-64"
+  exit 77
+fi
 if ! readelf -S -W "$library" | grep -q '\.debug_info'; then
   echo "skipped: $library has no debug information (meson setup -Ddebug=true)"
   exit 77
@@ -19,9 +23,18 @@ fi
 if [ "${3-}" = --record ]; then
   # No paths, so that the file is the same from any machine.
   abidw --headers-dir "$source/include/packing" --drop-private-types --no-corpus-path \
-    --no-comp-dir-path --no-show-locs --short-locs --type-id-style hash "$library" |
+    --no-comp-dir-path --no-show-locs --no-elf-needed --exported-interfaces-only \
+    --type-id-style hash "$library" |
     sed -e "s|$source/||g" >"$recorded"
   exit
 fi
-abidiff --headers-dir2 "$source/include/packing" --drop-private-types --no-added-syms \
-  --suppressions "$source/tests/abi/packing-0.suppr" "$recorded" "$library"
+# The record knows handles by name only, so that what is inside them may change.
+compare() {
+  abidiff --no-added-syms "$@" "$recorded" "$library"
+}
+compare --suppressions "$source/tests/abi/packing-0.suppr" || exit 1
+# libabigail 2.2 takes a struct none of whose members is new for one that grew at its end.
+if compare | grep -E 'data member (change|deletion)'; then
+  compare
+  exit 1
+fi
