@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rsa_round.h"
+#include "rsa_order.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -323,73 +324,6 @@ static void decide_step(packing_i_rsa_round *round, const packing_i_rsa_scene *s
     next_stage(round, PACKING_I_RSA_SORT);
 }
 
-static int earlier(const packing_i_rsa_round *round, uint32_t a, uint32_t b)
-{
-  const uint64_t ta = round->candidate[a].time, tb = round->candidate[b].time;
-  return ta < tb || (ta == tb && a < b);
-}
-
-/* Sifts order[root] down a heap with the latest candidate on top. */
-static void sift(const packing_i_rsa_round *round, size_t root, size_t count)
-{
-  uint32_t *order = round->order;
-  for (size_t child; (child = 2 * root + 1) < count; root = child) {
-    if (child + 1 < count && earlier(round, order[child], order[child + 1]))
-      child++;
-    const uint32_t top = order[root];
-    if (!earlier(round, top, order[child]))
-      return;
-    order[root] = order[child];
-    order[child] = top;
-  }
-}
-
-/* order[] by time, then number: a heap sort needs no memory and no context for a comparison. */
-static void sort_by_time(packing_i_rsa_round *round, size_t count)
-{
-  for (size_t i = count / 2; i-- > 0;)
-    sift(round, i, count);
-  while (count-- > 1) {
-    const uint32_t latest = round->order[0];
-    round->order[0] = round->order[count];
-    round->order[count] = latest;
-    sift(round, 0, count);
-  }
-}
-
-/* Hoare's partition: returns the end of a part, neither empty nor all, none of which is later than
- * any of the rest. Times are random, so the middle is as good a pivot as any. */
-static size_t partition(const packing_i_rsa_round *round, size_t low, size_t high)
-{
-  uint32_t *order = round->order;
-  const uint32_t pivot = order[low + (high - 1 - low) / 2];
-  for (;; low++) {
-    while (earlier(round, order[low], pivot))
-      low++;
-    high--;
-    while (earlier(round, pivot, order[high]))
-      high--;
-    if (low >= high)
-      return high + 1;
-    const uint32_t later = order[low];
-    order[low] = order[high];
-    order[high] = later;
-  }
-}
-
-/* Moves the `first` earliest of order[] to its front. */
-static void select_by_time(packing_i_rsa_round *round, size_t count, size_t first)
-{
-  size_t low = 0, high = count;
-  while (low < first && first < high) {
-    const size_t middle = partition(round, low, high);
-    if (first < middle)
-      high = middle;
-    else
-      low = middle;
-  }
-}
-
 /* Collects the candidates of one fate. */
 static size_t collect(packing_i_rsa_round *round, unsigned char fate)
 {
@@ -404,7 +338,7 @@ static size_t collect(packing_i_rsa_round *round, unsigned char fate)
 static void sort_step(packing_i_rsa_round *round)
 {
   round->unsettled = collect(round, UNSETTLED);
-  sort_by_time(round, round->unsettled);
+  packing_i_rsa_sort_by_time(round->candidate, round->order, round->unsettled);
   next_stage(round, PACKING_I_RSA_SETTLE);
 }
 
@@ -438,7 +372,7 @@ static void trim_step(packing_i_rsa_round *round, size_t most)
 {
   round->accepted = collect(round, ACCEPTED);
   if (round->accepted > most) {
-    select_by_time(round, round->accepted, most);
+    packing_i_rsa_select_by_time(round->candidate, round->order, round->accepted, most);
     for (size_t k = most; k < round->accepted; k++)
       round->fate[round->order[k]] = REFUSED;
   }

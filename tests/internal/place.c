@@ -5,6 +5,7 @@
 #include "place/place_index.h"
 #include "place/rsa_cells.h"
 #include "place/rsa_children.h"
+#include "place/rsa_order.h"
 
 static int brute_free(const packing_domain *domain, const packing_particles *store,
                       packing_vec3 p, double r)
@@ -144,6 +145,34 @@ static void children_are_covered_alike(void **state)
   packing_rng_destroy(rng);
 }
 
+/* Times with many ties, against a plain insertion sort. */
+static void candidates_are_ordered_by_time(void **state)
+{
+  (void)state;
+  packing_rng *rng = NULL;
+  packing_i_rsa_candidate c[64];
+  uint32_t sorted[64], order[64];
+  assert_ok(packing_rng_create(NULL, 9, PACKING_PURPOSE_USER, 0, &rng));
+  for (int trial = 0; trial < 2000; trial++) {
+    const size_t n = 1 + packing_rng_below(rng, 64);
+    for (size_t i = 0; i < n; i++) {
+      c[i].time = packing_rng_below(rng, 20);
+      size_t at = i;
+      for (; at > 0 && c[sorted[at - 1]].time > c[i].time; at--)
+        sorted[at] = sorted[at - 1];
+      sorted[at] = (uint32_t)i;
+      order[i] = (uint32_t)i;
+    }
+    const size_t first = packing_rng_below(rng, n + 1);
+    packing_i_rsa_select_by_time(c, order, n, first);
+    packing_i_rsa_sort_by_time(c, order, first);
+    assert_memory_equal(order, sorted, first * sizeof *order);
+    packing_i_rsa_sort_by_time(c, order, n);
+    assert_memory_equal(order, sorted, n * sizeof *order);
+  }
+  packing_rng_destroy(rng);
+}
+
 /* A few particles in a huge container: memory goes with particles, not with volume. */
 static void memory_goes_with_particles(void **state)
 {
@@ -177,6 +206,7 @@ int main(void)
       cmocka_unit_test(index_finds_what_all_pairs_find),
       cmocka_unit_test(cells_find_what_all_pairs_find),
       cmocka_unit_test(children_are_covered_alike),
+      cmocka_unit_test(candidates_are_ordered_by_time),
       cmocka_unit_test(memory_goes_with_particles),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
