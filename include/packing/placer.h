@@ -60,8 +60,8 @@ static inline void packing_placer_report_init(packing_placer_report *report)
  *  \param budget how much work, >= 1; one unit takes a few milliseconds at most
  *  \param[out] report what has been done; NULL is fine
  *  \return PACKING_OK, also once it has ended (then nothing happens); PACKING_ERR_NOMEM (the
- *          pack is valid, the step can be repeated); PACKING_ERR_RANGE (budget 0);
- *          PACKING_ERR_ABI */
+ *          pack is valid, the step can be repeated); PACKING_ERR_INVALID (placer NULL);
+ *          PACKING_ERR_RANGE (budget 0); PACKING_ERR_ABI */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_placer_step(packing_placer *placer, size_t budget, packing_placer_report *report);
 

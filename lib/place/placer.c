@@ -91,6 +91,8 @@ packing_status packing_i_placer_put(packing_placer *placer, packing_vec3 centre,
 packing_status packing_placer_step(packing_placer *placer, size_t budget,
                                    packing_placer_report *report)
 {
+  if (placer == NULL)
+    return PACKING_ERR_INVALID;
   packing_context *context = placer->context;
   if (budget == 0)
     return packing_i_fail(context, PACKING_ERR_RANGE, "budget", PACKING_NO_INDEX,

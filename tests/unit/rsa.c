@@ -338,6 +338,7 @@ static void refusals_name_the_field(void **state)
   assert_null(p);
   p = rsa(c, NULL, cell, psd, store);
   packing_placer_report report = {0};
+  assert_int_equal(packing_placer_step(NULL, 1, NULL), PACKING_ERR_INVALID);
   assert_fails(c, packing_placer_step(p, 0, NULL), PACKING_ERR_RANGE, "budget");
   assert_fails(c, packing_placer_step(p, 1, &report), PACKING_ERR_ABI, "report");
   packing_placer_destroy(p);
