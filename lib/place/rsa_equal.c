@@ -191,7 +191,9 @@ static packing_status equal_step(packing_placer *placer, size_t budget)
 {
   equal *e = placer->method;
   for (; budget > 0 && placer->tally.state == PACKING_PLACER_RUNNING; budget--)
-    PACKING_I_TRY(e->phase == SPLIT ? split_some(placer, e) : throw_some(placer, e));
+    PACKING_I_TRY(e->phase == SPLIT && still_wanted(placer, e) > 0
+                      ? split_some(placer, e)
+                      : throw_some(placer, e));
   placer->tally.progress = progress_of(placer, e);
   return PACKING_OK;
 }

@@ -163,6 +163,27 @@ static void tight_containers_take_what_fits(void **state)
   packing_domain_destroy(line);
 }
 
+/* The last particle asked for may be the last one that fits: the run is done all the same. */
+static void all_that_was_asked_is_done(void **state)
+{
+  (void)state;
+  packing_domain *domain = test_box(5.2, 5.2, 5.2, 0);
+  packing_psd *psd = test_mono(1);
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  for (def.seed = 1; def.seed < 40; def.seed++)
+    for (def.count = 5; def.count < 10; def.count++) {
+      packing_particles *store = test_store(3);
+      const packing_placer_report report = pack(&def, domain, psd, store);
+      assert_int_equal(report.state, report.placed == def.count
+                                         ? PACKING_PLACER_DONE
+                                         : PACKING_PLACER_SATURATED);
+      packing_particles_destroy(store);
+    }
+  packing_psd_destroy(psd);
+  packing_domain_destroy(domain);
+}
+
 static void particles_that_stand_are_obstacles(void **state)
 {
   (void)state;
@@ -364,6 +385,7 @@ int main(void)
       cmocka_unit_test(count_is_placed_in_every_container),
       cmocka_unit_test(volume_fraction_is_met_to_half_a_particle),
       cmocka_unit_test(saturation_leaves_no_hole),
+      cmocka_unit_test(all_that_was_asked_is_done),
       cmocka_unit_test(tight_containers_take_what_fits),
       cmocka_unit_test(particles_that_stand_are_obstacles),
       cmocka_unit_test(sizes_that_cannot_be_placed_are_counted),
