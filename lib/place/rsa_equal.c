@@ -207,10 +207,14 @@ static void equal_release(packing_placer *placer)
   packing_i_free(packing_i_allocator(placer->context), e);
 }
 
-/* Particles expected at the end; 0 where only saturation ends it. */
+/* Particles expected at the end, no more than the container's volume holds; 0 where only
+ * saturation ends it. */
 static size_t expected_count(const packing_placer *placer, const equal *e)
 {
-  const size_t wanted = still_wanted(placer, e);
+  size_t wanted = still_wanted(placer, e);
+  const double fit = placer->domain_volume / e->ball;
+  if (wanted <= UINT32_MAX && fit < (double)wanted)
+    wanted = (size_t)fit + 1;
   return wanted > UINT32_MAX ? 0 : wanted + placer->particles->count;
 }
 

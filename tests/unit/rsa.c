@@ -184,6 +184,38 @@ static void all_that_was_asked_is_done(void **state)
   packing_domain_destroy(domain);
 }
 
+/* So many that room for all of them at once would exceed memory. */
+static void absurd_counts_saturate(void **state)
+{
+  (void)state;
+  packing_domain *domain = test_box(6, 6, 6, 0);
+  const double r[] = {0.001, 1}, share[] = {0.5, 0.5};
+  packing_psd_discrete_def two;
+  packing_psd_discrete_def_init(&two);
+  two.count = 2;
+  two.r = r;
+  two.share = share;
+  two.by = PACKING_BY_NUMBER;
+  packing_psd *psds[] = {test_mono(1), NULL};
+  assert_ok(packing_psd_create_discrete(NULL, &two, &psds[1]));
+  const size_t counts[] = {4000000000U, UINT32_MAX, SIZE_MAX};
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  def.max_failures = 1000;
+  for (size_t k = 0; k < 6; k++) {
+    packing_particles *store = test_store(3);
+    def.count = counts[k / 2];
+    const packing_placer_report report = pack(&def, domain, psds[k % 2], store);
+    assert_int_equal(report.state,
+                     k % 2 == 0 ? PACKING_PLACER_SATURATED : PACKING_PLACER_GAVE_UP);
+    assert_true(packing_particles_bytes(store) < 1000000);
+    packing_particles_destroy(store);
+  }
+  packing_psd_destroy(psds[0]);
+  packing_psd_destroy(psds[1]);
+  packing_domain_destroy(domain);
+}
+
 static void particles_that_stand_are_obstacles(void **state)
 {
   (void)state;
@@ -386,6 +418,7 @@ int main(void)
       cmocka_unit_test(volume_fraction_is_met_to_half_a_particle),
       cmocka_unit_test(saturation_leaves_no_hole),
       cmocka_unit_test(all_that_was_asked_is_done),
+      cmocka_unit_test(absurd_counts_saturate),
       cmocka_unit_test(tight_containers_take_what_fits),
       cmocka_unit_test(particles_that_stand_are_obstacles),
       cmocka_unit_test(sizes_that_cannot_be_placed_are_counted),
