@@ -49,10 +49,11 @@ static drawn_size draw_size(const packing_placer *placer, mixed *m)
 /* A coordinate uniform over the bounds, a radius away from walls. */
 static double draw_along(mixed *m, double lo, double hi, int periodic, double r)
 {
-  const double from = periodic ? lo : lo + r;
   const double width = periodic ? hi - lo : hi - lo - 2 * r;
-  const double x =
-      from + packing_i_stream_uniform(&m->positions) * (width > 0 ? width : 0);
+  const double u = packing_i_stream_uniform(&m->positions);
+  if (width < 0)
+    return lo + 0.5 * (hi - lo);
+  const double x = (periodic ? lo : lo + r) + u * width;
   return periodic && x >= hi ? lo : x;
 }
 
@@ -104,7 +105,7 @@ static packing_status throw_dart(packing_placer *placer, mixed *m)
   PACKING_I_TRY(packing_i_index_reserve(&m->index, r));
   const packing_vec3 p = draw_centre(placer, m, r);
   placer->tally.attempts++;
-  if (packing_domain_holds(placer->domain, &p, r) &&
+  if (packing_domain_holds(placer->domain, &p, r * (1 - packing_i_hold_slack)) &&
       packing_i_index_free(&m->index, p, r)) {
     packing_i_index_insert(&m->index, p, r);
     PACKING_I_TRY(packing_i_placer_put(placer, p, r, m->pending.component));

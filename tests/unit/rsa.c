@@ -216,6 +216,61 @@ static void absurd_counts_saturate(void **state)
   packing_domain_destroy(domain);
 }
 
+/* Gaps of exactly one diameter, wherever they are, whatever rounding makes of them. */
+static void exact_gaps_take_particles(void **state)
+{
+  (void)state;
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  def.max_failures = 10000;
+  for (int k = 1; k < 40; k++) {
+    const double r = k * 0.013;
+    packing_domain_cylinder_def cylinder_def;
+    packing_domain_cylinder_def_init(&cylinder_def);
+    cylinder_def.radius = 6 * r;
+    cylinder_def.height = 2 * r;
+    cylinder_def.base.z = 0.7 * k + 0.1;
+    packing_domain_box_def box_def;
+    packing_domain_box_def_init(&box_def);
+    box_def.size.x = box_def.size.y = 12 * r;
+    box_def.size.z = 2 * r * (k % 2 ? 1 : 1 - 1e-11);
+    box_def.corner = cylinder_def.base;
+    packing_domain *domains[2] = {NULL, NULL};
+    assert_ok(packing_domain_create_cylinder(NULL, &cylinder_def, &domains[0]));
+    assert_ok(packing_domain_create_box(NULL, &box_def, &domains[1]));
+    const double sizes[] = {0.5 * r, r}, share[] = {0.5, 0.5};
+    packing_psd_discrete_def two;
+    packing_psd_discrete_def_init(&two);
+    two.count = 2;
+    two.r = sizes;
+    two.share = share;
+    two.by = PACKING_BY_NUMBER;
+    packing_psd *psds[] = {test_mono(r), NULL};
+    assert_ok(packing_psd_create_discrete(NULL, &two, &psds[1]));
+    for (int i = 0; i < 4; i++) {
+      packing_particles *store = test_store(3);
+      def.count = i < 2 ? 0 : 8;
+      packing_placer *placer = rsa(NULL, &def, domains[i % 2], psds[i / 2], store);
+      const packing_placer_report report = test_run(placer);
+      assert_int_equal(report.state,
+                       i < 2 ? PACKING_PLACER_SATURATED : PACKING_PLACER_DONE);
+      assert_true(report.placed >= 8);
+      packing_view view;
+      packing_particles_view(store, &view);
+      packing_audit_report audit;
+      packing_audit_report_init(&audit);
+      assert_ok(packing_audit(NULL, NULL, domains[i % 2], &view, &audit));
+      assert_int_equal(audit.passed, 1);
+      packing_placer_destroy(placer);
+      packing_particles_destroy(store);
+    }
+    for (int i = 0; i < 2; i++) {
+      packing_psd_destroy(psds[i]);
+      packing_domain_destroy(domains[i]);
+    }
+  }
+}
+
 static void particles_that_stand_are_obstacles(void **state)
 {
   (void)state;
@@ -417,6 +472,7 @@ int main(void)
       cmocka_unit_test(count_is_placed_in_every_container),
       cmocka_unit_test(volume_fraction_is_met_to_half_a_particle),
       cmocka_unit_test(saturation_leaves_no_hole),
+      cmocka_unit_test(exact_gaps_take_particles),
       cmocka_unit_test(all_that_was_asked_is_done),
       cmocka_unit_test(absurd_counts_saturate),
       cmocka_unit_test(tight_containers_take_what_fits),
