@@ -19,6 +19,7 @@ enum {
       1 << 18, /* and at no more than this, so that each stage of it stays short */
   MOST_DARTS = 1 << 21,
   LEAST_DARTS = 16,
+  MOST_AHEAD = 1 << 22,
   VOXELS_A_BIN = 64
 };
 
@@ -218,6 +219,16 @@ static size_t expected_count(const packing_placer *placer, const equal *e)
   return wanted > UINT32_MAX ? 0 : wanted + placer->particles->count;
 }
 
+/* About how many stand at saturation, for memory taken ahead: growing at 1e6 particles takes long
+ * steps. 0 where that would be much memory for a caller who may stop early. */
+static size_t saturated_count(const packing_placer *placer, const equal *e)
+{
+  const double limit = placer->particles->dim == 2 ? PACKING_I_RSA_SATURATION_2D
+                                                   : PACKING_I_RSA_SATURATION_3D;
+  const double count = 1.02 * limit * placer->domain_volume / e->ball;
+  return count < MOST_AHEAD ? (size_t)count + placer->particles->count : 0;
+}
+
 /* Whether a particle of the store can touch one whose centre lies in the region. */
 static int within_reach(const packing_i_rsa_cells *c, packing_vec3 p)
 {
@@ -264,11 +275,12 @@ packing_status packing_i_rsa_equal_start(packing_placer *placer,
   e->space = (packing_i_rsa_space){&e->cells, placer->domain, r, placer->particles->dim,
                                    boxlike,   context};
   e->scene = (packing_i_rsa_scene){placer, &e->cells, r, boxlike, {row_point, e}};
-  if (expected > 0) {
-    PACKING_I_TRY(packing_particles_reserve(placer->particles, expected));
+  const size_t ahead = expected > 0 ? expected : saturated_count(placer, e);
+  if (ahead > 0) {
+    PACKING_I_TRY(packing_particles_reserve(placer->particles, ahead));
     /* The candidates of the last rounds are more than what is kept of them. */
     PACKING_I_TRY(
-        packing_i_rsa_cells_reserve(&e->cells, context, expected + expected / 4 + 64));
+        packing_i_rsa_cells_reserve(&e->cells, context, ahead + ahead / 4 + 64));
   }
   return add_obstacles(placer, e);
 }
