@@ -53,7 +53,9 @@ static packing_status check(packing_context *context, const packing_rsa_def *def
   return PACKING_OK;
 }
 
-/* Equal sizes in a periodic cell have a known limit: say so at once. */
+/* Equal sizes in a periodic cell have a known limit: say so at once. It is that of large cells;
+ * in one of N particles saturation scatters by less than sqrt(N) / 4, and a cell of one or two
+ * may hold one more. */
 static packing_status check_limit(const packing_placer *placer,
                                   const packing_rsa_def *def)
 {
@@ -71,13 +73,14 @@ static packing_status check_limit(const packing_placer *placer,
   double asked = def->volume_fraction;
   if (asked == 0 || (by_count > 0 && by_count < asked))
     asked = by_count;
-  if (asked <= limit)
+  const double saturated = limit * placer->domain_volume / ball;
+  if (asked * placer->domain_volume / ball <= saturated + sqrt(saturated) + 1)
     return PACKING_OK;
   return packing_i_fail(
       placer->context, PACKING_ERR_RANGE,
       def->volume_fraction > 0 ? "volume_fraction" : "count", PACKING_NO_INDEX,
       "a volume fraction of %.4f is asked; random sequential addition of "
-      "equal particles in a periodic cell saturates at %.4f",
+      "equal particles in a large periodic cell saturates at %.4f",
       asked, limit);
 }
 

@@ -216,6 +216,26 @@ static void absurd_counts_saturate(void **state)
   packing_domain_destroy(domain);
 }
 
+/* What holds for large periodic cells is no limit of small ones. */
+static void a_tiny_periodic_cell_takes_one(void **state)
+{
+  (void)state;
+  packing_domain *cells[] = {test_box(2.1, 2.1, 2.1, 7), test_rectangle(2.1, 2.1, 3)};
+  packing_psd *psd = test_mono(1);
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  def.count = 1;
+  for (int d = 0; d < 2; d++) {
+    packing_particles *store = test_store(3 - d);
+    const packing_placer_report report = pack(&def, cells[d], psd, store);
+    assert_int_equal(report.state, PACKING_PLACER_DONE);
+    assert_int_equal(report.placed, 1);
+    packing_particles_destroy(store);
+    packing_domain_destroy(cells[d]);
+  }
+  packing_psd_destroy(psd);
+}
+
 /* Gaps of exactly one diameter, wherever they are, whatever rounding makes of them. */
 static void exact_gaps_take_particles(void **state)
 {
@@ -407,7 +427,7 @@ static void refusals_name_the_field(void **state)
                  "volume_fraction");
   }
   packing_rsa_def_init(&def);
-  def.volume_fraction = 0.385;
+  def.volume_fraction = 0.43;
   assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE,
                "0.3841");
   packing_rsa_def_init(&def);
@@ -472,6 +492,7 @@ int main(void)
       cmocka_unit_test(count_is_placed_in_every_container),
       cmocka_unit_test(volume_fraction_is_met_to_half_a_particle),
       cmocka_unit_test(saturation_leaves_no_hole),
+      cmocka_unit_test(a_tiny_periodic_cell_takes_one),
       cmocka_unit_test(exact_gaps_take_particles),
       cmocka_unit_test(all_that_was_asked_is_done),
       cmocka_unit_test(absurd_counts_saturate),
