@@ -3,6 +3,7 @@
  * Seed 000, section 2, step 2; ledger 000-07, 000-13. */
 #include "rsa_internal.h"
 #include <assert.h>
+#include <float.h>
 
 int packing_i_rsa_wants(const packing_i_rsa_goal *goal,
                         const packing_placer_report *tally, double next)
@@ -107,7 +108,9 @@ packing_status packing_rsa_create(packing_context *context, const packing_rsa_de
   PACKING_I_TRY(packing_i_placer_create(context, &packing_i_rsa_mixed_ops, domain, psd,
                                         particles, placer == NULL ? NULL : &p));
   assert(p != NULL);
-  const packing_i_rsa_goal goal = {d.count, d.volume_fraction * p->domain_volume};
+  packing_i_rsa_goal goal = {d.count, d.volume_fraction * p->domain_volume};
+  if (d.volume_fraction > 0 && !(goal.solid_volume > 0))
+    goal.solid_volume = DBL_MIN; /* the product underflows; 0 would be no limit */
   packing_status status = packing_i_placer_check_room(p);
   if (status != PACKING_OK)
     goto out;

@@ -431,6 +431,13 @@ static void refusals_name_the_field(void **state)
   assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE,
                "0.3841");
   packing_rsa_def_init(&def);
+  def.volume_fraction = 5e-324;
+  packing_domain *small = test_box(0.5, 0.5, 0.5, 0);
+  packing_psd *dust = test_mono(0.01);
+  assert_int_equal(pack(&def, small, dust, store).placed, 0);
+  packing_psd_destroy(dust);
+  packing_domain_destroy(small);
+  packing_rsa_def_init(&def);
   def.count = 200;
   assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE,
                "count");
