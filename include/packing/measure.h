@@ -172,7 +172,8 @@ static inline void packing_coordination_report_init(packing_coordination_report 
   report->struct_size = sizeof *report;
 }
 
-/** Counts contacts.
+/** Counts contacts. In a periodic cell a pair counts once, by its nearest image, and no particle
+ *  touches its own: a cell no wider than two diameters has more contacts than are counted.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain gives the periodic directions; NULL: none
