@@ -36,9 +36,11 @@ typedef struct packing_audit_report {
   size_t struct_size; /**< set by packing_audit_report_init() */
   int passed;         /**< 1: no number is bad and nothing exceeds the limit */
   double
-      max_overlap;  /**< largest (r_i + r_j - distance) / min(r_i, r_j), at least 0 [1] */
-  size_t overlap_i; /**< the pair of max_overlap, or #PACKING_NO_INDEX */
-  size_t overlap_j; /**< the pair of max_overlap, or #PACKING_NO_INDEX */
+      max_overlap; /**< largest (r_i + r_j - distance) / min(r_i, r_j), at least 0 [1] */
+  size_t
+      overlap_i; /**< the pair of max_overlap, or #PACKING_NO_INDEX; twice the same where
+       a particle overlaps its own periodic image */
+  size_t overlap_j;      /**< the pair of max_overlap, or #PACKING_NO_INDEX */
   double max_protrusion; /**< largest (r - distance to the wall) / r, at least 0 [1] */
   size_t protrusion_i;   /**< the particle of max_protrusion, or #PACKING_NO_INDEX */
   size_t overlaps;       /**< pairs that overlap by more than the limit */
@@ -170,7 +172,8 @@ static inline void packing_coordination_report_init(packing_coordination_report 
   report->struct_size = sizeof *report;
 }
 
-/** Counts contacts.
+/** Counts contacts. In a periodic cell a pair counts once, by its nearest image, and no particle
+ *  touches its own: a cell no wider than two diameters has more contacts than are counted.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain gives the periodic directions; NULL: none

@@ -24,9 +24,11 @@ typedef struct packing_placer packing_placer;
 
 /** How far a placer has come. */
 typedef enum packing_placer_state {
-  PACKING_PLACER_RUNNING = 0,   /**< step again */
-  PACKING_PLACER_DONE = 1,      /**< all that was asked is placed */
-  PACKING_PLACER_SATURATED = 2, /**< proved: no further particle fits; less than asked */
+  PACKING_PLACER_RUNNING = 0, /**< step again */
+  PACKING_PLACER_DONE = 1,    /**< all that was asked is placed */
+  PACKING_PLACER_SATURATED =
+      2, /**< no further particle fits (`rsa`: proved) or no site is left
+       (`lattice`); less than asked */
   PACKING_PLACER_GAVE_UP = 3 /**< a stated number of failures in a row; less than asked */
 } packing_placer_state;
 
@@ -60,8 +62,8 @@ static inline void packing_placer_report_init(packing_placer_report *report)
  *  \param budget how much work, >= 1; one unit takes a few milliseconds at most
  *  \param[out] report what has been done; NULL is fine
  *  \return PACKING_OK, also once it has ended (then nothing happens); PACKING_ERR_NOMEM (the
- *          pack is valid, the step can be repeated); PACKING_ERR_RANGE (budget 0);
- *          PACKING_ERR_ABI */
+ *          pack is valid, the step can be repeated); PACKING_ERR_INVALID (placer NULL);
+ *          PACKING_ERR_RANGE (budget 0); PACKING_ERR_ABI */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_placer_step(packing_placer *placer, size_t budget, packing_placer_report *report);
 
@@ -121,7 +123,7 @@ static inline void packing_rsa_def_init(packing_rsa_def *def)
  *  \param particles the store, of the domain's dimension; a component column is filled
  *  \param[out] placer the placer
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (volume_fraction: negative, or
- *          above what equal sizes reach in a periodic cell; dimensions that differ);
+ *          above what equal sizes reach in a periodic cell of that size; dimensions that differ);
  *          PACKING_ERR_GEOMETRY (the largest particle fits nowhere); PACKING_ERR_NOMEM;
  *          PACKING_ERR_ABI */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_rsa_create(

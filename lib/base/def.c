@@ -3,6 +3,9 @@
 #include "base_internal.h"
 #include <string.h>
 
+/* No struct will ever be larger: what stands there is no size. */
+enum { LARGEST_STRUCT = 65536 };
+
 void packing_i_def_fill(void *def, size_t size, void *defaults, size_t known)
 {
   const size_t common = size < known ? size : known;
@@ -20,7 +23,7 @@ packing_status packing_i_def_read(packing_context *context, const void *def, voi
     return PACKING_OK;
   size_t size;
   memcpy(&size, def, sizeof size);
-  if (size < first)
+  if (size < first || size > LARGEST_STRUCT)
     return packing_i_fail(
         context, PACKING_ERR_ABI, "struct_size", PACKING_NO_INDEX,
         "%zu is not a size this struct ever had: call its _def_init first", size);
@@ -43,7 +46,7 @@ packing_status packing_i_report_write(packing_context *context, void *out,
     return packing_i_fail(context, PACKING_ERR_INVALID, "report", PACKING_NO_INDEX,
                           "NULL");
   memcpy(&size, out, sizeof size);
-  if (size < sizeof size || size > 65536)
+  if (size < sizeof size || size > LARGEST_STRUCT)
     return packing_i_fail(context, PACKING_ERR_ABI, "struct_size", PACKING_NO_INDEX,
                           "the report is not initialised: call its _init first");
   memcpy((unsigned char *)out + sizeof size, (const unsigned char *)report + sizeof size,

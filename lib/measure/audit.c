@@ -115,6 +115,21 @@ static void protrude_block(void *arg, size_t block)
   a->protrusions[block] = found;
 }
 
+/* A particle wider than a period overlaps its own image: a pair of itself. */
+static void judge_images(const audit *a, overlaps *all)
+{
+  if (a->domain == NULL || packing_domain_periodic(a->domain) == 0)
+    return;
+  const packing_vec3 period = a->domain->body.period;
+  const double least = fmin(fmin(period.x, period.y), period.z);
+  for (size_t k = 0; k < a->count; k++) {
+    const size_t i = a->selection == NULL ? k : a->selection[k];
+    const double r = packing_i_view_r(a->view, i);
+    if (2 * r > least)
+      judge_pair(all, i, i, least, r, r);
+  }
+}
+
 static packing_status audit_overlaps(packing_context *context, audit *a,
                                      packing_audit_report *report)
 {
@@ -139,6 +154,7 @@ static packing_status audit_overlaps(packing_context *context, audit *a,
   }
   packing_i_free(allocator, a->overlaps);
   packing_grid_destroy(grid);
+  judge_images(a, &all);
   report->max_overlap = all.most;
   report->overlap_i = all.i;
   report->overlap_j = all.j;

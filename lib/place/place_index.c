@@ -77,7 +77,9 @@ packing_status packing_i_index_reserve(packing_i_index *index, double r)
     PACKING_I_TRY(level_start(index, l));
   if (index->count < index->capacity)
     return PACKING_OK;
-  const size_t grown = index->capacity + index->capacity / 2 + 256;
+  size_t grown = index->capacity + index->capacity / 2 + 256;
+  if (grown < index->expected)
+    grown = index->expected; /* at once: growing copies all that is there */
   if (grown > UINT32_MAX - 1)
     return packing_i_nomem(index->context);
   packing_i_index_entry *entry =

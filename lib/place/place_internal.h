@@ -12,6 +12,13 @@
 #include "vec.h"
 #include <packing/placer.h>
 
+/* A container that is too small for a particle by no more than rounding still has room for it:
+ * packing_i_placer_check_room() forgives the first share of the radius, random sequential
+ * addition accepts centres that are short of the radius by no more than the second. Were the
+ * second 0, a gap of one diameter would be refused again and again by rounding. */
+static const double packing_i_room_slack = 1e-10;
+static const double packing_i_hold_slack = 2e-10;
+
 /* One method of placing. `step` does about `budget` units of work (some milliseconds each at
  * most), keeps placer->tally, and sets its state once it has ended. After PACKING_ERR_NOMEM it
  * can be called again. `release` frees the method's own part; NULL is never passed. */

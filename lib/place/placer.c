@@ -48,9 +48,6 @@ packing_status packing_i_placer_create(packing_context *context,
   return PACKING_OK;
 }
 
-/* A container that holds a particle exactly has room for it. */
-static const double tight = 1e-9;
-
 packing_status packing_i_placer_check_room(const packing_placer *placer)
 {
   const double r = packing_psd_max_r(placer->psd);
@@ -65,7 +62,8 @@ packing_status packing_i_placer_check_room(const packing_placer *placer)
   packing_domain *inset = NULL;
   packing_status status = PACKING_OK;
   if (room)
-    status = packing_domain_create_inset(NULL, placer->domain, r * (1 - tight), &inset);
+    status = packing_domain_create_inset(NULL, placer->domain,
+                                         r * (1 - packing_i_room_slack), &inset);
   packing_domain_destroy(inset);
   if (status == PACKING_ERR_NOMEM)
     return packing_i_nomem(placer->context);
@@ -91,6 +89,8 @@ packing_status packing_i_placer_put(packing_placer *placer, packing_vec3 centre,
 packing_status packing_placer_step(packing_placer *placer, size_t budget,
                                    packing_placer_report *report)
 {
+  if (placer == NULL)
+    return PACKING_ERR_INVALID;
   packing_context *context = placer->context;
   if (budget == 0)
     return packing_i_fail(context, PACKING_ERR_RANGE, "budget", PACKING_NO_INDEX,

@@ -3,6 +3,7 @@
  * Seed 000, section 2, step 2; ledger 000-07, 000-13. */
 #include "rsa_internal.h"
 #include <assert.h>
+#include <float.h>
 
 int packing_i_rsa_wants(const packing_i_rsa_goal *goal,
                         const packing_placer_report *tally, double next)
@@ -53,7 +54,9 @@ static packing_status check(packing_context *context, const packing_rsa_def *def
   return PACKING_OK;
 }
 
-/* Equal sizes in a periodic cell have a known limit: say so at once. */
+/* Equal sizes in a periodic cell have a known limit: say so at once. It is that of large cells;
+ * in one of N particles saturation scatters by less than sqrt(N) / 4, and a cell of one or two
+ * may hold one more. */
 static packing_status check_limit(const packing_placer *placer,
                                   const packing_rsa_def *def)
 {
@@ -71,13 +74,14 @@ static packing_status check_limit(const packing_placer *placer,
   double asked = def->volume_fraction;
   if (asked == 0 || (by_count > 0 && by_count < asked))
     asked = by_count;
-  if (asked <= limit)
+  const double saturated = limit * placer->domain_volume / ball;
+  if (asked * placer->domain_volume / ball <= saturated + sqrt(saturated) + 1)
     return PACKING_OK;
   return packing_i_fail(
       placer->context, PACKING_ERR_RANGE,
       def->volume_fraction > 0 ? "volume_fraction" : "count", PACKING_NO_INDEX,
       "a volume fraction of %.4f is asked; random sequential addition of "
-      "equal particles in a periodic cell saturates at %.4f",
+      "equal particles in a large periodic cell saturates at %.4f",
       asked, limit);
 }
 
@@ -104,7 +108,9 @@ packing_status packing_rsa_create(packing_context *context, const packing_rsa_de
   PACKING_I_TRY(packing_i_placer_create(context, &packing_i_rsa_mixed_ops, domain, psd,
                                         particles, placer == NULL ? NULL : &p));
   assert(p != NULL);
-  const packing_i_rsa_goal goal = {d.count, d.volume_fraction * p->domain_volume};
+  packing_i_rsa_goal goal = {d.count, d.volume_fraction * p->domain_volume};
+  if (d.volume_fraction > 0 && !(goal.solid_volume > 0))
+    goal.solid_volume = DBL_MIN; /* the product underflows; 0 would be no limit */
   packing_status status = packing_i_placer_check_room(p);
   if (status != PACKING_OK)
     goto out;

@@ -18,8 +18,10 @@ static void region(const packing_domain *domain, double r, packing_vec3 *lo,
     from[axis] = wrapped || flat ? low : low + r;
     wide[axis] = flat ? 0 : wrapped ? length : length - 2 * r;
     again[axis] = wrapped ? length : 0;
-    if (wide[axis] < 0)
+    if (wide[axis] < 0) { /* in the middle, so that both walls are as near */
+      from[axis] = low + 0.5 * length;
       wide[axis] = 0;
+    }
   }
   *lo = packing_i_vec(from[0], from[1], from[2]);
   *width = packing_i_vec(wide[0], wide[1], wide[2]);

@@ -11,16 +11,19 @@
 #include "rsa_voxels.h"
 
 enum {
-  FEW = 64,       /* voxels from here on: fewer than one hit in so many darts */
-  STILL_MANY = 2, /* no split while one in so many hits */
-  CELLS_A_HIT =
-      20, /* a round aims at one hit in so many cells: few of its darts then meet */
+  FEW = 64,          /* voxels once fewer than one in so many darts hits */
+  STILL_MANY = 2,    /* no split while one in so many hits */
+  VOXELS_A_DART = 8, /* thrown before voxels are split again; 1 took a tenth longer */
+  CELLS_A_HIT = 20,  /* a round aims at one hit in so many cells: few darts then meet */
   MOST_HITS =
       1 << 18, /* and at no more than this, so that each stage of it stays short */
   MOST_DARTS = 1 << 21,
   LEAST_DARTS = 16,
-  VOXELS_A_DART = 8, /* thrown before voxels are split again; 1 took a tenth longer */
-  VOXELS_A_BIN = 64
+  VOXELS_A_BIN = 64,
+  MOST_AHEAD = 1 << 22, /* particles to make room for ahead where none are counted */
+  HOPELESS_A_CELL =
+      64, /* so many voxels for each cell, and so many more, none of which was */
+  HOPELESS = 1 << 20 /* hit since the last split, end the run */
 };
 
 typedef enum equal_phase { DARTS, SPLIT, VOXELS } equal_phase;
@@ -35,6 +38,7 @@ typedef struct equal {
   double ball;
   double hit_rate; /* of the last round */
   size_t thrown;   /* darts since the last split */
+  size_t hits;     /* of them */
   equal_phase phase;
 } equal;
 
@@ -148,6 +152,7 @@ static packing_status round_over(packing_placer *placer, equal *e)
   }
   placer->tally.attempts += e->round.darts;
   e->thrown += e->round.darts;
+  e->hits += e->round.accepted;
   e->hit_rate = limited(rate, 1.0 / 64, 1);
   e->round.darts = 0;
   return PACKING_OK;
@@ -165,17 +170,28 @@ static packing_status throw_some(packing_placer *placer, equal *e)
   return PACKING_OK;
 }
 
+/* Where centres fit on a surface only (a gap of exactly one diameter), voxels along it are never
+ * covered and never hit: their number grows with each split. */
+static int is_hopeless(const equal *e)
+{
+  const double cells = (double)e->cells.n[0] * e->cells.n[1] * e->cells.n[2];
+  return e->hits == 0 &&
+         (double)e->voxels.live.count > HOPELESS_A_CELL * cells + HOPELESS;
+}
+
 static packing_status split_some(packing_placer *placer, equal *e)
 {
   int done = 0;
   PACKING_I_TRY(packing_i_rsa_voxels_split(&e->voxels, &e->space, &done));
   if (!done)
     return PACKING_OK;
-  e->phase = VOXELS;
-  e->thrown = 0;
-  e->hit_rate = 0.25;
   if (e->voxels.live.count == 0 || e->voxels.level > PACKING_I_VOXEL_DEEPEST)
     placer->tally.state = PACKING_PLACER_SATURATED;
+  else if (is_hopeless(e))
+    placer->tally.state = PACKING_PLACER_GAVE_UP;
+  e->phase = VOXELS;
+  e->thrown = e->hits = 0;
+  e->hit_rate = 0.25;
   return PACKING_OK;
 }
 
@@ -192,7 +208,9 @@ static packing_status equal_step(packing_placer *placer, size_t budget)
 {
   equal *e = placer->method;
   for (; budget > 0 && placer->tally.state == PACKING_PLACER_RUNNING; budget--)
-    PACKING_I_TRY(e->phase == SPLIT ? split_some(placer, e) : throw_some(placer, e));
+    PACKING_I_TRY(e->phase == SPLIT && still_wanted(placer, e) > 0
+                      ? split_some(placer, e)
+                      : throw_some(placer, e));
   placer->tally.progress = progress_of(placer, e);
   return PACKING_OK;
 }
@@ -206,11 +224,25 @@ static void equal_release(packing_placer *placer)
   packing_i_free(packing_i_allocator(placer->context), e);
 }
 
-/* Particles expected at the end; 0 where only saturation ends it. */
+/* Particles expected at the end, no more than the container's volume holds; 0 where only
+ * saturation ends it. */
 static size_t expected_count(const packing_placer *placer, const equal *e)
 {
-  const size_t wanted = still_wanted(placer, e);
+  size_t wanted = still_wanted(placer, e);
+  const double fit = placer->domain_volume / e->ball;
+  if (wanted <= UINT32_MAX && fit < (double)wanted)
+    wanted = (size_t)fit + 1;
   return wanted > UINT32_MAX ? 0 : wanted + placer->particles->count;
+}
+
+/* About how many stand at saturation, for memory taken ahead: growing at 1e6 particles takes long
+ * steps. 0 where that would be much memory for a caller who may stop early. */
+static size_t saturated_count(const packing_placer *placer, const equal *e)
+{
+  const double limit = placer->particles->dim == 2 ? PACKING_I_RSA_SATURATION_2D
+                                                   : PACKING_I_RSA_SATURATION_3D;
+  const double count = 1.02 * limit * placer->domain_volume / e->ball;
+  return count < MOST_AHEAD ? (size_t)count + placer->particles->count : 0;
 }
 
 /* Whether a particle of the store can touch one whose centre lies in the region. */
@@ -265,11 +297,12 @@ packing_status packing_i_rsa_equal_start(packing_placer *placer,
                             context,
                             packing_i_rsa_children_for(packing_context_isa(context))};
   e->scene = (packing_i_rsa_scene){placer, &e->cells, r, boxlike, {row_point, e}};
-  if (expected > 0) {
-    PACKING_I_TRY(packing_particles_reserve(placer->particles, expected));
+  const size_t ahead = expected > 0 ? expected : saturated_count(placer, e);
+  if (ahead > 0) {
+    PACKING_I_TRY(packing_particles_reserve(placer->particles, ahead));
     /* The candidates of the last rounds are more than what is kept of them. */
     PACKING_I_TRY(
-        packing_i_rsa_cells_reserve(&e->cells, context, expected + expected / 4 + 64));
+        packing_i_rsa_cells_reserve(&e->cells, context, ahead + ahead / 4 + 64));
   }
   return add_obstacles(placer, e);
 }

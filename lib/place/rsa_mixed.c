@@ -11,7 +11,11 @@
 #include "rsa_internal.h"
 #include <stdlib.h>
 
-enum { DARTS_A_UNIT = 1024 };
+enum {
+  DARTS_A_UNIT = 1024,
+  MOST_EXPECTED = 1000000000,
+  MOST_WITHOUT_GOAL = 1 << 20 /* then more may come, at the price of fuller cells */
+};
 
 typedef struct drawn_size {
   double r;
@@ -45,10 +49,11 @@ static drawn_size draw_size(const packing_placer *placer, mixed *m)
 /* A coordinate uniform over the bounds, a radius away from walls. */
 static double draw_along(mixed *m, double lo, double hi, int periodic, double r)
 {
-  const double from = periodic ? lo : lo + r;
   const double width = periodic ? hi - lo : hi - lo - 2 * r;
-  const double x =
-      from + packing_i_stream_uniform(&m->positions) * (width > 0 ? width : 0);
+  const double u = packing_i_stream_uniform(&m->positions);
+  if (width < 0)
+    return lo + 0.5 * (hi - lo);
+  const double x = (periodic ? lo : lo + r) + u * width;
   return periodic && x >= hi ? lo : x;
 }
 
@@ -100,7 +105,7 @@ static packing_status throw_dart(packing_placer *placer, mixed *m)
   PACKING_I_TRY(packing_i_index_reserve(&m->index, r));
   const packing_vec3 p = draw_centre(placer, m, r);
   placer->tally.attempts++;
-  if (packing_domain_holds(placer->domain, &p, r) &&
+  if (packing_domain_holds(placer->domain, &p, r * (1 - packing_i_hold_slack)) &&
       packing_i_index_free(&m->index, p, r)) {
     packing_i_index_insert(&m->index, p, r);
     PACKING_I_TRY(packing_i_placer_put(placer, p, r, m->pending.component));
@@ -171,21 +176,28 @@ static packing_status draw_list(packing_placer *placer, mixed *m)
   return PACKING_OK;
 }
 
-/* About how many particles will stand. */
+static int has_goal(const mixed *m)
+{
+  return m->goal.count != 0 || m->goal.solid_volume > 0;
+}
+
+/* About how many particles will stand, and some more since sizes vary: no more than the volume
+ * asked, or that of the container, holds. */
 static size_t expected_count(const packing_placer *placer, const mixed *m)
 {
-  size_t count = m->goal.count;
-  double mean_ball = 0;
-  if (m->goal.solid_volume > 0 &&
-      packing_psd_moment(placer->psd, PACKING_BY_NUMBER, placer->particles->dim,
-                         &mean_ball) == PACKING_OK) {
+  const int dim = placer->particles->dim;
+  double most = has_goal(m) ? MOST_EXPECTED : MOST_WITHOUT_GOAL, moment = 0;
+  if (m->goal.count != 0 && (double)m->goal.count < most)
+    most = (double)m->goal.count;
+  if (packing_psd_moment(placer->psd, PACKING_BY_NUMBER, dim, &moment) == PACKING_OK) {
+    const double volume =
+        m->goal.solid_volume > 0 ? m->goal.solid_volume : placer->domain_volume;
     const double by_volume =
-        m->goal.solid_volume /
-        (packing_i_ball_volume(placer->particles->dim, 1) * mean_ball);
-    if (by_volume < 1e9 && (count == 0 || by_volume < (double)count))
-      count = (size_t)by_volume;
+        1.05 * volume / (packing_i_ball_volume(dim, 1) * moment) + 64;
+    if (by_volume < most)
+      most = by_volume;
   }
-  return count + placer->particles->count;
+  return (size_t)most + placer->particles->count;
 }
 
 static double largest_radius(const packing_placer *placer)
@@ -213,8 +225,11 @@ packing_status packing_i_rsa_mixed_start(packing_placer *placer,
   packing_i_stream_open(&m->sizes, def->seed, def->stream, PACKING_PURPOSE_SIZE, 0);
   packing_i_stream_open(&m->positions, def->seed, def->stream, PACKING_PURPOSE_POSITION,
                         0);
+  const size_t expected = expected_count(placer, m);
   packing_i_index_init(&m->index, placer->context, placer->domain, largest_radius(placer),
-                       expected_count(placer, m));
+                       expected);
+  if (has_goal(m)) /* growing later would make long steps */
+    PACKING_I_TRY(packing_particles_reserve(placer->particles, expected));
   PACKING_I_TRY(packing_i_index_add_store(&m->index, placer->domain, placer->particles));
   return m->order == PACKING_ORDER_DESCENDING ? draw_list(placer, m) : PACKING_OK;
 }

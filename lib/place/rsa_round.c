@@ -175,7 +175,8 @@ static void throw_block(void *arg, size_t block)
       const packing_vec3 p = points[i].p;
       uint32_t random[4];
       if ((!scene->boxlike &&
-           !packing_domain_holds(scene->placer->domain, &p, scene->r)) ||
+           !packing_domain_holds(scene->placer->domain, &p,
+                                 scene->r * (1 - packing_i_hold_slack))) ||
           !packing_i_rsa_cells_free(scene->cells, p))
         continue;
       random_of(round, round->time_key, points[i].dart, random);

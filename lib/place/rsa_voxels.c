@@ -118,6 +118,7 @@ static unsigned outside(const packing_i_rsa_space *space, packing_vec3 centre,
                         packing_vec3 h)
 {
   const double half_diagonal = packing_i_norm(h);
+  const double least = space->r * (1 - packing_i_hold_slack) * safe;
   if (packing_domain_signed_distance(space->domain, &centre, NULL) >=
       space->r + half_diagonal)
     return 0;
@@ -127,7 +128,7 @@ static unsigned outside(const packing_i_rsa_space *space, packing_vec3 centre,
         packing_i_vec(centre.x + (k & 1U ? h.x : -h.x), centre.y + (k & 2U ? h.y : -h.y),
                       centre.z + (k & 4U ? h.z : -h.z));
     const double inside = packing_domain_signed_distance(space->domain, &child, NULL);
-    mask |= (unsigned)(inside + half_diagonal < space->r * safe) << k;
+    mask |= (unsigned)(inside + half_diagonal < least) << k;
   }
   return mask;
 }

@@ -62,6 +62,26 @@ static void a_planted_overlap_is_found_exactly(void **state)
   assert_true(r.max_overlap == (0.4 + 0.35 - d) / 0.35);
 }
 
+static void a_particle_overlaps_its_own_image(void **state)
+{
+  (void)state;
+  const double x = 0.5, r = 0.625;
+  packing_view view;
+  packing_view_init_arrays(&view, 1, &x, &x, &x, &r);
+  for (unsigned periodic = 0; periodic < 8; periodic++) {
+    packing_domain *cell = test_box(2, 1, 2, periodic);
+    packing_audit_report report;
+    packing_audit_report_init(&report);
+    assert_ok(packing_audit(NULL, NULL, cell, &view, &report));
+    const int meets = (periodic & PACKING_PERIODIC_Y) != 0;
+    assert_true(report.max_overlap == (meets ? 0.25 / 0.625 : 0));
+    assert_int_equal(report.overlaps, meets);
+    assert_true(report.overlap_i == (meets ? 0 : PACKING_NO_INDEX));
+    assert_true(report.overlap_j == report.overlap_i);
+    packing_domain_destroy(cell);
+  }
+}
+
 static void of_equal_overlaps_the_lowest_pair_is_named(void **state)
 {
   (void)state;
@@ -332,6 +352,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(a_sound_pack_passes),
       cmocka_unit_test(a_planted_overlap_is_found_exactly),
+      cmocka_unit_test(a_particle_overlaps_its_own_image),
       cmocka_unit_test(of_equal_overlaps_the_lowest_pair_is_named),
       cmocka_unit_test(the_limit_decides),
       cmocka_unit_test(a_planted_protrusion_is_found_exactly),

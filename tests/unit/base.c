@@ -38,6 +38,9 @@ static void context_refuses_bad_options(void **state)
   packing_context_def_init(&def);
   def.struct_size = 3;
   assert_status(packing_context_create(&def, &context), PACKING_ERR_ABI);
+  /* Not initialised: what lies behind must not be read. */
+  def.struct_size = SIZE_MAX;
+  assert_status(packing_context_create(&def, &context), PACKING_ERR_ABI);
   assert_status(packing_context_create(NULL, NULL), PACKING_ERR_INVALID);
   assert_null(context);
 }

@@ -163,6 +163,156 @@ static void tight_containers_take_what_fits(void **state)
   packing_domain_destroy(line);
 }
 
+/* The last particle asked for may be the last one that fits: the run is done all the same. */
+static void all_that_was_asked_is_done(void **state)
+{
+  (void)state;
+  packing_domain *domain = test_box(5.2, 5.2, 5.2, 0);
+  packing_psd *psd = test_mono(1);
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  for (def.seed = 1; def.seed < 40; def.seed++)
+    for (def.count = 5; def.count < 10; def.count++) {
+      packing_particles *store = test_store(3);
+      const packing_placer_report report = pack(&def, domain, psd, store);
+      assert_int_equal(report.state, report.placed == def.count
+                                         ? PACKING_PLACER_DONE
+                                         : PACKING_PLACER_SATURATED);
+      packing_particles_destroy(store);
+    }
+  packing_psd_destroy(psd);
+  packing_domain_destroy(domain);
+}
+
+/* So many that room for all of them at once would exceed memory. */
+static void absurd_counts_saturate(void **state)
+{
+  (void)state;
+  packing_domain *domain = test_box(6, 6, 6, 0);
+  const double r[] = {0.001, 1}, share[] = {0.5, 0.5};
+  packing_psd_discrete_def two;
+  packing_psd_discrete_def_init(&two);
+  two.count = 2;
+  two.r = r;
+  two.share = share;
+  two.by = PACKING_BY_NUMBER;
+  packing_psd *psds[] = {test_mono(1), NULL};
+  assert_ok(packing_psd_create_discrete(NULL, &two, &psds[1]));
+  const size_t counts[] = {4000000000U, UINT32_MAX, SIZE_MAX};
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  def.max_failures = 1000;
+  for (size_t k = 0; k < 6; k++) {
+    packing_particles *store = test_store(3);
+    def.count = counts[k / 2];
+    const packing_placer_report report = pack(&def, domain, psds[k % 2], store);
+    assert_int_equal(report.state,
+                     k % 2 == 0 ? PACKING_PLACER_SATURATED : PACKING_PLACER_GAVE_UP);
+    assert_true(packing_particles_bytes(store) < 1000000);
+    packing_particles_destroy(store);
+  }
+  packing_psd_destroy(psds[0]);
+  packing_psd_destroy(psds[1]);
+  packing_domain_destroy(domain);
+}
+
+/* What holds for large periodic cells is no limit of small ones. */
+static void a_tiny_periodic_cell_takes_one(void **state)
+{
+  (void)state;
+  packing_domain *cells[] = {test_box(2.1, 2.1, 2.1, 7), test_rectangle(2.1, 2.1, 3)};
+  packing_psd *psd = test_mono(1);
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  def.count = 1;
+  for (int d = 0; d < 2; d++) {
+    packing_particles *store = test_store(3 - d);
+    const packing_placer_report report = pack(&def, cells[d], psd, store);
+    assert_int_equal(report.state, PACKING_PLACER_DONE);
+    assert_int_equal(report.placed, 1);
+    packing_particles_destroy(store);
+    packing_domain_destroy(cells[d]);
+  }
+  packing_psd_destroy(psd);
+}
+
+/* Gaps of exactly one diameter, wherever they are, whatever rounding makes of them. */
+static void exact_gaps_take_particles(void **state)
+{
+  (void)state;
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  def.max_failures = 10000;
+  for (int k = 1; k < 40; k++) {
+    const double r = k * 0.013;
+    packing_domain_cylinder_def cylinder_def;
+    packing_domain_cylinder_def_init(&cylinder_def);
+    cylinder_def.radius = 6 * r;
+    cylinder_def.height = 2 * r;
+    cylinder_def.base.z = 0.7 * k + 0.1;
+    packing_domain_box_def box_def;
+    packing_domain_box_def_init(&box_def);
+    box_def.size.x = box_def.size.y = 12 * r;
+    box_def.size.z = 2 * r * (k % 2 ? 1 : 1 - 1e-11);
+    box_def.corner = cylinder_def.base;
+    packing_domain *domains[2] = {NULL, NULL};
+    assert_ok(packing_domain_create_cylinder(NULL, &cylinder_def, &domains[0]));
+    assert_ok(packing_domain_create_box(NULL, &box_def, &domains[1]));
+    const double sizes[] = {0.5 * r, r}, share[] = {0.5, 0.5};
+    packing_psd_discrete_def two;
+    packing_psd_discrete_def_init(&two);
+    two.count = 2;
+    two.r = sizes;
+    two.share = share;
+    two.by = PACKING_BY_NUMBER;
+    packing_psd *psds[] = {test_mono(r), NULL};
+    assert_ok(packing_psd_create_discrete(NULL, &two, &psds[1]));
+    for (int i = 0; i < 4; i++) {
+      packing_particles *store = test_store(3);
+      def.count = i < 2 ? 0 : 8;
+      packing_placer *placer = rsa(NULL, &def, domains[i % 2], psds[i / 2], store);
+      const packing_placer_report report = test_run(placer);
+      assert_int_equal(report.state,
+                       i < 2 ? PACKING_PLACER_SATURATED : PACKING_PLACER_DONE);
+      assert_true(report.placed >= 8);
+      packing_view view;
+      packing_particles_view(store, &view);
+      packing_audit_report audit;
+      packing_audit_report_init(&audit);
+      assert_ok(packing_audit(NULL, NULL, domains[i % 2], &view, &audit));
+      assert_int_equal(audit.passed, 1);
+      packing_placer_destroy(placer);
+      packing_particles_destroy(store);
+    }
+    for (int i = 0; i < 2; i++) {
+      packing_psd_destroy(psds[i]);
+      packing_domain_destroy(domains[i]);
+    }
+  }
+}
+
+/* Centres fit on a surface only: it ends, and does not call that a proof. */
+static void a_gap_of_one_diameter_ends(void **state)
+{
+  (void)state;
+  packing_domain_tube_def def;
+  packing_domain *domain = NULL;
+  packing_domain_tube_def_init(&def);
+  def.inner_radius = 4;
+  def.outer_radius = 6;
+  def.height = 8;
+  assert_ok(packing_domain_create_tube(NULL, &def, &domain));
+  packing_psd *psd = test_mono(1);
+  packing_particles *store = test_store(3);
+  const packing_placer_report report = pack(NULL, domain, psd, store);
+  assert_true(report.state == PACKING_PLACER_GAVE_UP ||
+              report.state == PACKING_PLACER_SATURATED);
+  assert_true(report.state == PACKING_PLACER_SATURATED || report.placed < 40);
+  packing_particles_destroy(store);
+  packing_psd_destroy(psd);
+  packing_domain_destroy(domain);
+}
+
 static void particles_that_stand_are_obstacles(void **state)
 {
   (void)state;
@@ -299,9 +449,16 @@ static void refusals_name_the_field(void **state)
                  "volume_fraction");
   }
   packing_rsa_def_init(&def);
-  def.volume_fraction = 0.385;
+  def.volume_fraction = 0.43;
   assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE,
                "0.3841");
+  packing_rsa_def_init(&def);
+  def.volume_fraction = 5e-324;
+  packing_domain *small = test_box(0.5, 0.5, 0.5, 0);
+  packing_psd *dust = test_mono(0.01);
+  assert_int_equal(pack(&def, small, dust, store).placed, 0);
+  packing_psd_destroy(dust);
+  packing_domain_destroy(small);
   packing_rsa_def_init(&def);
   def.count = 200;
   assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE,
@@ -338,6 +495,7 @@ static void refusals_name_the_field(void **state)
   assert_null(p);
   p = rsa(c, NULL, cell, psd, store);
   packing_placer_report report = {0};
+  assert_int_equal(packing_placer_step(NULL, 1, NULL), PACKING_ERR_INVALID);
   assert_fails(c, packing_placer_step(p, 0, NULL), PACKING_ERR_RANGE, "budget");
   assert_fails(c, packing_placer_step(p, 1, &report), PACKING_ERR_ABI, "report");
   packing_placer_destroy(p);
@@ -363,7 +521,12 @@ int main(void)
       cmocka_unit_test(count_is_placed_in_every_container),
       cmocka_unit_test(volume_fraction_is_met_to_half_a_particle),
       cmocka_unit_test(saturation_leaves_no_hole),
+      cmocka_unit_test(a_tiny_periodic_cell_takes_one),
+      cmocka_unit_test(exact_gaps_take_particles),
+      cmocka_unit_test(all_that_was_asked_is_done),
+      cmocka_unit_test(absurd_counts_saturate),
       cmocka_unit_test(tight_containers_take_what_fits),
+      cmocka_unit_test(a_gap_of_one_diameter_ends),
       cmocka_unit_test(particles_that_stand_are_obstacles),
       cmocka_unit_test(sizes_that_cannot_be_placed_are_counted),
       cmocka_unit_test(orders_place_the_same_sizes),
