@@ -489,6 +489,7 @@ int main(int argc, char **argv)
   cloud c = {.asked = &o};
   options_init(&o.common);
   report_init(&c.report);
+  standard_files_fill();
   interrupt_catch();
   int code = options_parse(&own, argc, argv, &o);
   if (!code)

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Being told to stop: the handler sets a flag, the loops look at it, so that temporary files
  * are cleared away. A closed pipe becomes a failed write. */
+#include <fcntl.h>
 #include <signal.h>
 #include <string.h>
+#include <unistd.h>
 #include "program.h"
 
 static volatile sig_atomic_t stop;
@@ -25,6 +27,16 @@ void interrupt_catch(void)
     sigaction(numbers[i], &action, NULL);
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, NULL);
+}
+
+void standard_files_fill(void)
+{
+  int fd;
+  do
+    fd = open("/dev/null", O_RDONLY);
+  while (fd >= 0 && fd <= STDERR_FILENO);
+  if (fd >= 0)
+    close(fd);
 }
 
 int interrupted(void)

@@ -215,7 +215,18 @@ def standard_output_full(program):
         equal(os.listdir(folder.path), [], "files")
 
 
-TESTS += [("unwritable place told before the work", refuses_before_the_work),
+def standard_output_closed(program):
+    """The report does not slip into a pack that takes the number of standard output."""
+    with Folder(program) as folder:
+        done = subprocess.run([program, *BOX, *SMALL, "--out", "a.csv"], cwd=folder.path,
+                              stdin=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              preexec_fn=lambda: os.close(1))
+        equal(done.returncode, SYSTEM, "exit code")
+        equal(os.listdir(folder.path), [], "files")
+
+
+TESTS += [("standard output closed", standard_output_closed),
+          ("unwritable place told before the work", refuses_before_the_work),
           ("disk full for standard output", standard_output_full)]
 
 main(TESTS)
