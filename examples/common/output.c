@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <libgen.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 #include "picture.h"
 #include "program.h"
@@ -250,9 +252,29 @@ static int output_status(const output *out, const pack *p, packing_status status
   return program_status(p->context, status, where);
 }
 
+/* Opening a pipe waits for its reader without end; here the wait ends when the program is told
+ * to stop. Returns a descriptor that keeps the pipe open, else -1. */
+static int await_reader(const output *out)
+{
+  static const struct timespec while_waiting = {.tv_nsec = 20000000};
+  struct stat there;
+  int fd;
+  if (!out->in_place || stat(out->path, &there) != 0 || !S_ISFIFO(there.st_mode))
+    return -1;
+  while ((fd = open(out->path, O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) < 0 &&
+         errno == ENXIO && !interrupted())
+    nanosleep(&while_waiting, NULL);
+  return fd;
+}
+
 static int write_one(output *out, const pack *p)
 {
+  const int fd = await_reader(out);
+  if (interrupted())
+    return program_interrupted();
   packing_status status = packing_file_create(p->context, out->path, &out->file);
+  if (fd >= 0)
+    close(fd);
   if (status == PACKING_OK) {
     packing_stream *inner = packing_file_stream(out->file);
     const packing_stream stream = {.write = write_on, .user = inner};
