@@ -345,6 +345,16 @@ def ends_when_told_twice(program):
         equal(run.returncode, -signal.SIGTERM, "exit code")
 
 
+def help_describes_every_spec(program):
+    """help2man makes a heap of the lines that have no description."""
+    with Folder(program) as folder:
+        lines = folder.run("--help").out.decode().splitlines()
+        bare = [i for i, line in enumerate(lines) if re.match(r"  \S+:\S+$", line)]
+        holds(bare, "specs that fill their line")
+        for i in bare:
+            holds(lines[i + 1].startswith(26 * " "), lines[i])
+
+
 def help_mentions_every_option(program):
     with Folder(program) as folder:
         result = folder.run("--help")
@@ -423,7 +433,7 @@ main([(test.__name__.replace("_", " "), test) for test in (
     saturated_below_the_asked_is_said, without_an_amount_it_saturates,
     audit_limit_is_an_option, mixtures_tell_their_parts, containers_of_every_kind, every_law,
     files_replace_what_was_there, packs_go_through_pipes,
-    stops_while_a_pipe_has_no_reader, ends_when_told_twice, help_mentions_every_option,
+    stops_while_a_pipe_has_no_reader, ends_when_told_twice, help_mentions_every_option, help_describes_every_spec,
     version_is_told, numbers_are_the_same_in_every_locale, nothing_on_standard_error, bar_on_a_terminal)] + [
     ("stops at SIGINT", stops_when_told(signal.SIGINT)),
     ("stops at SIGTERM", stops_when_told(signal.SIGTERM))])
