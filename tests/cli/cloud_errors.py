@@ -225,7 +225,18 @@ def standard_output_closed(program):
         equal(os.listdir(folder.path), [], "files")
 
 
-TESTS += [("standard output closed", standard_output_closed),
+def disk_full_while_writing(program):
+    """More than the buffers hold; the system's reason is told, the file's name once."""
+    with Folder(program) as folder:
+        result = folder.run("--domain", "box:40,40,40", "--psd", "mono:0.5", "--count",
+                            "20000", "--out", "a.csv", "--out", "csv:/dev/full")
+        equal((result.code, result.files), (SYSTEM, []), "exit code, files")
+        equal(result.err, "packing-cloud: --out: /dev/full: No space left on device\n",
+              "standard error")
+
+
+TESTS += [("disk full while writing", disk_full_while_writing),
+          ("standard output closed", standard_output_closed),
           ("unwritable place told before the work", refuses_before_the_work),
           ("disk full for standard output", standard_output_full)]
 
