@@ -129,6 +129,8 @@ TESTS = [
           name="sample with a negative radius"),
     ("particle larger than the container",
      refuses([*BOX, "--psd", "mono:6", "--count", "1"], ["rsa"])),
+    ("particle just larger than the container",
+     refuses([*BOX, "--psd", "mono:5.0000001", "--count", "1"], ["rsa", "5.0000001"])),
     ("density that equal spheres cannot reach at random in a periodic cell",
      refuses(["--domain", "box:10,10,10+periodic", "--psd", "mono:0.5",
               "--target-porosity", "0.5"], ["volume_fraction"])),
