@@ -49,8 +49,9 @@ static const struct argp_option own_options[] = {
     {NULL, 0, NULL, 0, "How:", 3},
     {"method", KEY_METHOD, "METHOD", 0,
      "rsa (default): random sequential addition; lattice:KIND: a lattice cut to the "
-     "container, KIND one of cells (a random point in each cell), sc, bcc, fcc, hcp, "
-     "simple-hexagonal, and in two dimensions hexagonal, square",
+     "container, KIND one of cells (a random point in each cell; it needs --count and a "
+     "box, rect or cylinder), sc, bcc, fcc, hcp, simple-hexagonal, and in two dimensions "
+     "hexagonal, square",
      3},
     {"order", KEY_ORDER, "ORDER", 0,
      "rsa: drawn (default) places radii as they come; descending draws all first and "
@@ -489,6 +490,7 @@ int main(int argc, char **argv)
   cloud c = {.asked = &o};
   options_init(&o.common);
   report_init(&c.report);
+  standard_files_fill();
   interrupt_catch();
   int code = options_parse(&own, argc, argv, &o);
   if (!code)

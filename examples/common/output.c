@@ -1,15 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <libgen.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 #include "picture.h"
 #include "program.h"
+
+enum { REASON_SIZE = 512 };
 
 const char output_formats[] = "csv, vtp, lammps, liggghts, yade, xyz, png, svg";
 
@@ -234,31 +238,74 @@ int outputs_check(const outputs *all, packing_context *context, const input_file
   return code;
 }
 
+typedef struct passage {
+  const packing_context *context;
+  const packing_stream *inner;
+  char reason[REASON_SIZE]; /* of the file; the writer's own would stand over it */
+} passage;
+
 /* Passes writes through until the program is told to stop. */
 static packing_status write_on(void *user, const void *data, size_t count)
 {
-  const packing_stream *inner = user;
-  return interrupted() ? PACKING_ERR_IO : inner->write(inner->user, data, count);
+  passage *way = user;
+  if (interrupted())
+    return PACKING_ERR_IO;
+  const packing_status status = way->inner->write(way->inner->user, data, count);
+  if (status != PACKING_OK && !*way->reason)
+    snprintf(way->reason, sizeof way->reason, "%s",
+             packing_context_message(way->context));
+  return status;
 }
 
-static int output_status(const output *out, const pack *p, packing_status status)
+/* The failure of a file; its line begins with the file's name. */
+static int file_status(const output *out, const pack *p, packing_status status)
+{
+  return interrupted() ? program_interrupted()
+                       : program_status(p->context, status, out->option);
+}
+
+/* The failure of what is written into a file. */
+static int output_status(const output *out, const pack *p, packing_status status,
+                         const char *reason)
 {
   char where[PATH_MAX + 64];
   if (interrupted())
     return program_interrupted();
+  if (*reason)
+    return program_fail(PROGRAM_SYSTEM, "%s: %s", out->option, reason);
   snprintf(where, sizeof where, "%s: %s", out->option, out->path);
   return program_status(p->context, status, where);
 }
 
+/* Opening a pipe waits for its reader without end; here the wait ends when the program is told
+ * to stop. Returns a descriptor that keeps the pipe open, else -1. */
+static int await_reader(const output *out)
+{
+  static const struct timespec while_waiting = {.tv_nsec = 20000000};
+  struct stat there;
+  int fd;
+  if (!out->in_place || stat(out->path, &there) != 0 || !S_ISFIFO(there.st_mode))
+    return -1;
+  while ((fd = open(out->path, O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) < 0 &&
+         errno == ENXIO && !interrupted())
+    nanosleep(&while_waiting, NULL);
+  return fd;
+}
+
 static int write_one(output *out, const pack *p)
 {
+  const int fd = await_reader(out);
+  if (interrupted())
+    return program_interrupted();
   packing_status status = packing_file_create(p->context, out->path, &out->file);
-  if (status == PACKING_OK) {
-    packing_stream *inner = packing_file_stream(out->file);
-    const packing_stream stream = {.write = write_on, .user = inner};
-    status = out->write(p, &stream);
-  }
-  return status == PACKING_OK ? 0 : output_status(out, p, status);
+  if (fd >= 0)
+    close(fd);
+  if (status != PACKING_OK)
+    return file_status(out, p, status);
+  passage way = {.context = p->context, .inner = packing_file_stream(out->file)};
+  const packing_stream stream = {.write = write_on, .user = &way};
+  status = out->write(p, &stream);
+  return status == PACKING_OK ? 0 : output_status(out, p, status, way.reason);
 }
 
 static int commit(outputs *all, const pack *p, int in_place)
@@ -271,7 +318,7 @@ static int commit(outputs *all, const pack *p, int in_place)
     out->file = NULL;
     const packing_status status = packing_file_commit(file);
     if (status != PACKING_OK)
-      return output_status(out, p, status);
+      return file_status(out, p, status);
   }
   return 0;
 }

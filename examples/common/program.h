@@ -48,6 +48,9 @@ double program_seconds(void);
 
 /* Sets up SIGINT, SIGTERM, SIGHUP and SIGPIPE; from then on interrupted() tells. */
 void interrupt_catch(void);
+/* Standard files that the caller has closed become /dev/null, unwritable: else the next file
+ * to be opened takes their number, and a report ends up in a pack. */
+void standard_files_fill(void);
 int interrupted(void);
 
 /* The command line as one could type it again. Free it. */

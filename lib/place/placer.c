@@ -70,7 +70,7 @@ packing_status packing_i_placer_check_room(const packing_placer *placer)
   if (room && status == PACKING_OK)
     return PACKING_OK;
   return packing_i_fail(placer->context, PACKING_ERR_GEOMETRY, "psd", PACKING_NO_INDEX,
-                        "a particle of radius %g does not fit into the container", r);
+                        "a particle of radius %.12g does not fit into the container", r);
 }
 
 packing_status packing_i_placer_put(packing_placer *placer, packing_vec3 centre, double r,

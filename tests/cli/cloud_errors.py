@@ -129,6 +129,8 @@ TESTS = [
           name="sample with a negative radius"),
     ("particle larger than the container",
      refuses([*BOX, "--psd", "mono:6", "--count", "1"], ["rsa"])),
+    ("particle just larger than the container",
+     refuses([*BOX, "--psd", "mono:5.0000001", "--count", "1"], ["rsa", "5.0000001"])),
     ("density that equal spheres cannot reach at random in a periodic cell",
      refuses(["--domain", "box:10,10,10+periodic", "--psd", "mono:0.5",
               "--target-porosity", "0.5"], ["volume_fraction"])),
@@ -215,7 +217,29 @@ def standard_output_full(program):
         equal(os.listdir(folder.path), [], "files")
 
 
-TESTS += [("unwritable place told before the work", refuses_before_the_work),
+def standard_output_closed(program):
+    """The report does not slip into a pack that takes the number of standard output."""
+    with Folder(program) as folder:
+        done = subprocess.run([program, *BOX, *SMALL, "--out", "a.csv"], cwd=folder.path,
+                              stdin=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              preexec_fn=lambda: os.close(1))
+        equal(done.returncode, SYSTEM, "exit code")
+        equal(os.listdir(folder.path), [], "files")
+
+
+def disk_full_while_writing(program):
+    """More than the buffers hold; the system's reason is told, the file's name once."""
+    with Folder(program) as folder:
+        result = folder.run("--domain", "box:40,40,40", "--psd", "mono:0.5", "--count",
+                            "20000", "--out", "a.csv", "--out", "csv:/dev/full")
+        equal((result.code, result.files), (SYSTEM, []), "exit code, files")
+        equal(result.err, "packing-cloud: --out: /dev/full: No space left on device\n",
+              "standard error")
+
+
+TESTS += [("disk full while writing", disk_full_while_writing),
+          ("standard output closed", standard_output_closed),
+          ("unwritable place told before the work", refuses_before_the_work),
           ("disk full for standard output", standard_output_full)]
 
 main(TESTS)

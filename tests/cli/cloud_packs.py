@@ -316,6 +316,45 @@ def stops_when_told(number):
     return test
 
 
+def stops_while_a_pipe_has_no_reader(program):
+    with Folder(program) as folder:
+        os.mkfifo(os.path.join(folder.path, "pipe"))
+        run = subprocess.Popen([program, *BOX, "--psd", "mono:0.3", "--count", "5", "--out",
+                                "csv:pipe", "--out", "pack.vtp"], cwd=folder.path,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(0.5)
+        equal(run.poll(), None, "still waiting")
+        run.terminate()
+        out, err = run.communicate(timeout=10)
+        equal((run.returncode, out), (INTERRUPTED, b""), "exit code, output")
+        equal(os.listdir(folder.path), ["pipe"], "files")
+
+
+def ends_when_told_twice(program):
+    """A sieve curve from a pipe without a writer: the wait is not the program's own."""
+    with Folder(program) as folder:
+        os.mkfifo(os.path.join(folder.path, "pipe"))
+        run = subprocess.Popen([program, *BOX, "--psd", "curve:pipe", "--count", "5"],
+                               cwd=folder.path, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE)
+        time.sleep(0.5)
+        run.terminate()
+        time.sleep(0.1)
+        run.terminate()
+        run.communicate(timeout=10)
+        equal(run.returncode, -signal.SIGTERM, "exit code")
+
+
+def help_describes_every_spec(program):
+    """help2man makes a heap of the lines that have no description."""
+    with Folder(program) as folder:
+        lines = folder.run("--help").out.decode().splitlines()
+        bare = [i for i, line in enumerate(lines) if re.match(r"  \S+:\S+$", line)]
+        holds(bare, "specs that fill their line")
+        for i in bare:
+            holds(lines[i + 1].startswith(26 * " "), lines[i])
+
+
 def help_mentions_every_option(program):
     with Folder(program) as folder:
         result = folder.run("--help")
@@ -396,7 +435,8 @@ main([(test.__name__.replace("_", " "), test) for test in (
     seed_and_stream_change_the_pack, mass_and_porosity_are_met, lattice_fills_and_counts,
     saturated_below_the_asked_is_said, without_an_amount_it_saturates,
     audit_limit_is_an_option, mixtures_tell_their_parts, containers_of_every_kind, every_law,
-    files_replace_what_was_there, packs_go_through_pipes, help_mentions_every_option,
+    files_replace_what_was_there, packs_go_through_pipes,
+    stops_while_a_pipe_has_no_reader, ends_when_told_twice, help_mentions_every_option, help_describes_every_spec,
     version_is_told, numbers_are_the_same_in_every_locale, nothing_on_standard_error, bar_on_a_terminal)] + [
     ("stops at SIGINT", stops_when_told(signal.SIGINT)),
     ("stops at SIGTERM", stops_when_told(signal.SIGTERM))])
