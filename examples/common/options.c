@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "options.h"
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -252,7 +253,10 @@ error_t options_refuse(int key, char *argument, struct argp_state *state)
 int options_parse(const struct argp *own, int argc, char **argv, void *input)
 {
   argp_program_version_hook = print_version;
-  return argp_parse(own, argc, argv, 0, NULL, input) == 0 ? 0 : PROGRAM_BAD_INPUT;
+  const error_t error = argp_parse(own, argc, argv, 0, NULL, input);
+  if (error == ENOMEM)
+    return program_fail(PROGRAM_SYSTEM, "out of memory");
+  return error == 0 ? 0 : PROGRAM_BAD_INPUT;
 }
 
 void options_init(options *o)

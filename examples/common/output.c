@@ -171,8 +171,8 @@ static char *real_name(const char *path)
   char *folder_text = program_copy(path, strlen(path));
   char *name_text = program_copy(path, strlen(path));
   char *folder = realpath(dirname(folder_text), NULL);
-  if (!folder || asprintf(&whole, "%s/%s", folder, basename(name_text)) < 0)
-    whole = NULL;
+  if (folder && asprintf(&whole, "%s/%s", folder, basename(name_text)) < 0)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
   free(folder);
   free(name_text);
   free(folder_text);

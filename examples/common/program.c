@@ -127,7 +127,9 @@ char *program_command_line(int argc, char **argv)
     fputc(' ', to);
     print_word(to, argv[i]);
   }
-  if (fclose(to) != 0)
+  /* Closing alone forgets the writes that found no memory. */
+  const int failed = ferror(to);
+  if (fclose(to) != 0 || failed || line == NULL)
     exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
   return line;
 }

@@ -6,7 +6,7 @@
  *  Readers and writers. All go through a packing_stream, the user's or that of a
  *  packing_file. Numbers are written with 17 significant digits, so they read back as the
  *  same bits, and with a point in every locale. Readers refuse and name the line; they never
- *  repair. */
+ *  repair. A stream or file is used by one thread at a time; time goes with the bytes. */
 
 #include <packing/domain.h>
 #include <packing/particles.h>

@@ -5,7 +5,8 @@
 /** \file packing/measure.h
  *  What can be shown about a pack. All take a packing_view, so a host measures its own arrays
  *  without a copy, and share nothing with the placers but the grid. The results are the same
- *  bytes for any number of threads. */
+ *  bytes for any number of threads. Thread-safe with a context for each thread; all take
+ *  linear time (sizes: N log N). */
 
 #include <packing/domain.h>
 #include <packing/psd.h>

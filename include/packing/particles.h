@@ -5,7 +5,9 @@
 /** \file packing/particles.h
  *  The pack: a structure-of-arrays store. Particle i is entry i of every column; indices
  *  are dense and change only in packing_particles_remove() and packing_particles_truncate().
- *  One owner. x, y, z and r take 32 bytes a particle; each optional column its own. */
+ *  One owner: a store is used by one thread at a time, const calls by any while nobody
+ *  changes it. x, y, z and r take 32 bytes a particle; each optional column its own. Adding
+ *  takes constant time a particle on average, what copies or removes linear time. */
 
 #include <packing/types.h>
 

@@ -11,7 +11,8 @@
  *  Particles that stand in the store already are obstacles. The store is borrowed: it must
  *  outlive the placer, and be changed by nobody else meanwhile. Domain and distribution are
  *  kept. One seed, stream and input give the same bytes for any threads and instruction
- *  set. */
+ *  set. A placer and its store are used by one thread at a time; the work inside runs on the
+ *  threads of the context. */
 
 #include <packing/domain.h>
 #include <packing/particles.h>
@@ -115,7 +116,9 @@ static inline void packing_rsa_def_init(packing_rsa_def *def)
  *  Torquato, Phys. Rev. E 88, 053312, 2013; Ebeida et al., Comput. Graph. Forum 31, 785,
  *  2012). Saturation in a periodic cell: 0.3841 (3D), 0.5471 (2D).
  *  Other sizes: a grid with one level per octave of radii.
- *  Seed 000, section 2, step 2.
+ *  Campello and Cassares (Lat. Am. J. Solids Struct. 13, 23, 2016), section 2, step 2.
+ *  Cost: linear in the particles up to saturation for equal sizes; else each dart looks into
+ *  some 27 cells an octave of radii, and darts a particle grow as the free share falls.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain the container; kept
@@ -132,7 +135,7 @@ PACKING_API PACKING_WARN_UNUSED packing_status packing_rsa_create(
 
 /** Arrangements of packing_lattice_create(). */
 typedef enum packing_lattice_kind {
-  PACKING_LATTICE_CELLS = 0, /**< a random point in each reference cell (seed 004) */
+  PACKING_LATTICE_CELLS = 0, /**< a random point in each reference cell */
   PACKING_LATTICE_SC = 1,    /**< simple cubic, 3D */
   PACKING_LATTICE_BCC = 2,   /**< body-centred cubic, 3D */
   PACKING_LATTICE_FCC = 3,   /**< face-centred cubic, 3D */
@@ -179,10 +182,10 @@ static inline void packing_lattice_def_init(packing_lattice_def *def)
  *  whole number of lattice periods to 1e-9 relative; then the lattice is stretched to fit
  *  exactly.
  *
- *  Cells (seed 004, equations 1 to 4): a cuboid of k x k cells a layer stands in the container
+ *  Cells (Liu and You, Adv. Mech. Eng. 2013, 284693, equations 1 to 4): a cuboid of k x k cells a layer stands in the container
  *  (in a cylinder: in the square inscribed in its circle), k = floor(width / l); each cell
  *  takes one particle, its centre uniform in [r, l - r] of the cell, so that nothing
- *  overlaps. For box, rectangle and cylinder along z.
+ *  overlaps. For box, rectangle and cylinder along z. Cost: linear in the sites.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain the container; kept

@@ -5,7 +5,7 @@
  *   hexagonal          2r x 2 sqrt 3 r, two rows
  *   simple hexagonal   the same layers, 2r apart
  *   hexagonal close    the same layers, 2 sqrt(8/3) r for two layers
- * They are the known answers of every measure (ledger 001-02). */
+ * They are the known answers of every measure. */
 #include "lattice_internal.h"
 
 /* Rows are given from the bottom layer up and along y: y and x offset in parts of the cell. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Random sequential addition: options and the choice of method.
- * Seed 000, section 2, step 2; ledger 000-07, 000-13. */
+ * Campello and Cassares (2016), section 2, step 2. */
 #include "rsa_internal.h"
 #include <assert.h>
 #include <float.h>

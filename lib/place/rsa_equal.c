@@ -6,7 +6,7 @@
  * only left out, so the law of the process is untouched. Once one dart has been thrown for every
  * eight voxels and few hit, these are halved and culled against the particles that stand by then.
  * Darts go in rounds (rsa_round.h). Cost: linear in N up to saturation.
- * Seed 000, section 2, step 2; Zhang and Torquato, Phys. Rev. E 88, 053312 (2013). */
+ * Campello and Cassares (2016), section 2, step 2; Zhang and Torquato, Phys. Rev. E 88, 053312 (2013). */
 #include "rsa_round.h"
 #include "rsa_voxels.h"
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Random sequential addition of any sizes. A radius is drawn once and kept until it is placed:
- * to draw again after a refusal would favour small ones (ledger 000-07). In descending order all
+ * to draw again after a refusal would favour small ones. In descending order all
  * radii are drawn first. The radii are the same in both orders.
  *
  * Cost: a dart looks into some 8 to 27 cells of each octave of radii; the number of darts per
  * particle grows as the free share of the container falls. There is no proof of saturation here:
  * the placer gives up after max_failures refusals of one radius.
- * Seed 000, section 2, step 2. */
+ * Campello and Cassares (2016), section 2, step 2. */
 #include "place_index.h"
 #include "rsa_internal.h"
 #include <stdlib.h>

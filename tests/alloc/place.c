@@ -114,6 +114,57 @@ static packing_status cells(packing_context *context, uint64_t *hash)
   return status;
 }
 
+/* A crystal cut to a cylinder, round a particle that stands. */
+static packing_status crystal(packing_context *context, uint64_t *hash)
+{
+  made m = {0};
+  packing_domain_cylinder_def round;
+  packing_lattice_def def;
+  const packing_vec3 centre = {0.5, 0.25, 3};
+  packing_domain_cylinder_def_init(&round);
+  round.radius = 4.5;
+  round.height = 7;
+  packing_lattice_def_init(&def);
+  def.kind = PACKING_LATTICE_HCP;
+  packing_status status = packing_domain_create_cylinder(context, &round, &m.domain);
+  if (status == PACKING_OK)
+    status = sizes(context, &m, 0.2, 0.4);
+  if (status == PACKING_OK)
+    status = packing_particles_create(context, NULL, &m.store);
+  if (status == PACKING_OK)
+    status = packing_particles_add(m.store, centre, 1.5, NULL);
+  if (status == PACKING_OK)
+    status = packing_lattice_create(context, &def, m.domain, m.psd, m.store, &m.placer);
+  if (status == PACKING_OK)
+    status = run(&m, hash);
+  unmake(&m);
+  return status;
+}
+
+/* Equal discs until no more fits. */
+static packing_status discs(packing_context *context, uint64_t *hash)
+{
+  made m = {0};
+  packing_domain_annulus_def ring;
+  packing_particles_def flat;
+  packing_domain_annulus_def_init(&ring);
+  ring.inner_radius = 2;
+  ring.outer_radius = 7;
+  packing_particles_def_init(&flat);
+  flat.dim = 2;
+  packing_status status = packing_domain_create_annulus(context, &ring, &m.domain);
+  if (status == PACKING_OK)
+    status = sizes(context, &m, 0.5, 0.5);
+  if (status == PACKING_OK)
+    status = packing_particles_create(context, &flat, &m.store);
+  if (status == PACKING_OK)
+    status = packing_rsa_create(context, NULL, m.domain, m.psd, m.store, &m.placer);
+  if (status == PACKING_OK)
+    status = run(&m, hash);
+  unmake(&m);
+  return status;
+}
+
 static void every_request_fails_once(void **state)
 {
   (void)state;
@@ -121,6 +172,8 @@ static void every_request_fails_once(void **state)
   assert_true(test_every_allocation(counted) >= 10);
   assert_true(test_every_allocation(descending) >= 10);
   assert_true(test_every_allocation(cells) >= 5);
+  assert_true(test_every_allocation(crystal) >= 5);
+  assert_true(test_every_allocation(discs) >= 12);
 }
 
 /* The k-th request of stepping fails; stepping on gives the pack of an undisturbed run. */

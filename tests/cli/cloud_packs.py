@@ -380,14 +380,24 @@ def version_is_told(program):
 
 
 def numbers_are_the_same_in_every_locale(program):
+    """In a locale with a decimal comma that is really there, made for the occasion."""
     arguments = [*BOX, "--psd", "mono:0.31", "--count", "9"]
-    texts = []
-    for name in ("C", "de_DE.UTF-8"):
-        with Folder(program) as folder:
-            result = folder.run(*arguments, "--out", "pack.csv",
-                                env=dict(os.environ, LC_ALL=name, LANG=name))
-            equal(result.code, DONE, "exit code")
-            texts.append(folder.read("pack.csv"))
+    with Folder(program) as folder:
+        subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8",
+                        os.path.join(folder.path, "de_DE.UTF-8")], capture_output=True,
+                       check=True)
+        comma = dict(os.environ, LOCPATH=folder.path, LC_ALL="de_DE.UTF-8")
+        said = subprocess.run(["locale", "decimal_point"], env=comma, capture_output=True,
+                              text=True, check=True).stdout
+        equal(said, ",\n", "the locale's decimal point")
+        texts = []
+        for env in (dict(os.environ, LC_ALL="C"), comma):
+            with Folder(program) as other:
+                result = other.run(*arguments, "--out", "pack.csv", "--report", "r.json",
+                                   env=env)
+                equal(result.code, DONE, "exit code")
+                texts.append(other.read("pack.csv"))
+                strict(other.read("r.json"))
     holds(texts[0] == texts[1], "files differ")
 
 

@@ -40,6 +40,23 @@ def handles_are_in_the_headers(_):
             holds(name in declared, "%s is not in %s" % (name, header))
 
 
+def coverage_names_what_is_there(_):
+    """Files of doc/coverage.md exist, and each test named after a file stands in it."""
+    seen = 0
+    for row in text_of("doc", "coverage.md").splitlines():
+        for part in re.split(r"[;|]", row):
+            file = re.search(r"`((?:lib|tests|doc|examples)/[\w./-]+)`(.*)", part)
+            if file is None:
+                continue
+            name, rest = file.groups()
+            holds(os.path.exists(os.path.join(ROOT, name)), name)
+            if name.startswith("tests/") and os.path.isfile(os.path.join(ROOT, name)):
+                for test in re.findall(r"\b[a-z0-9]+(?:_[a-z0-9]+)+\b", rest):
+                    holds(test in text_of(*name.split("/")), "%s: %s" % (name, test))
+                    seen += 1
+    holds(seen > 30, "%d tests are named" % seen)
+
+
 main([(test.__name__.replace("_", " "), test) for test in (
     program_is_the_example, links_lead_somewhere, options_exist,
-    handles_are_in_the_headers)])
+    handles_are_in_the_headers, coverage_names_what_is_there)])

@@ -19,6 +19,41 @@ static packing_placer *rsa(packing_context *context, packing_domain *domain,
   return placer;
 }
 
+static packing_placer *largest_first(packing_context *context, packing_domain *domain,
+                                     packing_psd *psd, packing_particles *store)
+{
+  packing_placer *placer = NULL;
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  def.seed = 7;
+  def.count = 700;
+  def.order = PACKING_ORDER_DESCENDING;
+  assert_ok(packing_rsa_create(context, &def, domain, psd, store, &placer));
+  return placer;
+}
+
+static packing_placer *crystal(packing_context *context, packing_domain *domain,
+                               packing_psd *psd, packing_particles *store)
+{
+  packing_placer *placer = NULL;
+  packing_lattice_def def;
+  packing_lattice_def_init(&def);
+  def.kind = PACKING_LATTICE_FCC;
+  assert_ok(packing_lattice_create(context, &def, domain, psd, store, &placer));
+  return placer;
+}
+
+static packing_domain *cylinder(void)
+{
+  packing_domain_cylinder_def def;
+  packing_domain *domain = NULL;
+  packing_domain_cylinder_def_init(&def);
+  def.radius = 6.7;
+  def.height = 13.3;
+  assert_ok(packing_domain_create_cylinder(NULL, &def, &domain));
+  return domain;
+}
+
 static packing_placer *cells(packing_context *context, packing_domain *domain,
                              packing_psd *psd, packing_particles *store)
 {
@@ -119,6 +154,15 @@ static void reference_cells(void **state)
         UINT64_C(0x2f11aff11d770e49));
 }
 
+static void curved_walls(void **state)
+{
+  (void)state;
+  check(rsa, cylinder(), test_mono(0.5), UINT64_C(0xa46c73174c175e24));
+  check(largest_first, cylinder(), test_uniform(0.31, 0.92),
+        UINT64_C(0x440758e8a89488d6));
+  check(crystal, cylinder(), test_mono(0.5), UINT64_C(0xd76529f622653f2b));
+}
+
 /* The seed and the stream matter, a second call does not. */
 static void seeds_and_streams_differ(void **state)
 {
@@ -155,6 +199,7 @@ int main(void)
       cmocka_unit_test(equal_discs_to_saturation),
       cmocka_unit_test(unequal_spheres),
       cmocka_unit_test(reference_cells),
+      cmocka_unit_test(curved_walls),
       cmocka_unit_test(seeds_and_streams_differ),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

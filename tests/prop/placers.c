@@ -55,12 +55,43 @@ static packing_placer *cells(packing_domain *domain, packing_psd *psd,
   return placer;
 }
 
-static packing_particles *run(scene make, double scale, double min_r, double max_r)
+typedef packing_domain *(*room)(double scale);
+
+static packing_domain *box(double scale)
 {
-  packing_domain *domain = test_box(9.31 * scale, 8.27 * scale, 7.45 * scale, 0);
+  return test_box(9.31 * scale, 8.27 * scale, 7.45 * scale, 0);
+}
+
+static packing_domain *cell(double scale)
+{
+  return test_box(9.31 * scale, 8.27 * scale, 7.45 * scale, 7);
+}
+
+static packing_domain *plane(double scale)
+{
+  return test_rectangle(19.31 * scale, 18.27 * scale, PACKING_PERIODIC_X);
+}
+
+static packing_domain *silo(double scale)
+{
+  packing_domain_silo_def def;
+  packing_domain *domain = NULL;
+  packing_domain_silo_def_init(&def);
+  def.radius = 4.31 * scale;
+  def.height = 11.3 * scale;
+  def.outlet_radius = 0.9 * scale;
+  def.hopper_height = 3.7 * scale;
+  assert_ok(packing_domain_create_silo(NULL, &def, &domain));
+  return domain;
+}
+
+static packing_particles *run(scene make, room within, double scale, double min_r,
+                              double max_r)
+{
+  packing_domain *domain = within(scale);
   packing_psd *psd = min_r < max_r ? test_uniform(min_r * scale, max_r * scale)
                                    : test_mono(max_r * scale);
-  packing_particles *store = test_store(3);
+  packing_particles *store = test_store(packing_domain_dim(domain));
   packing_placer *placer = make(domain, psd, store, scale);
   test_run(placer);
   packing_placer_destroy(placer);
@@ -69,14 +100,14 @@ static packing_particles *run(scene make, double scale, double min_r, double max
   return store;
 }
 
-static void same_when_scaled(scene make, double min_r, double max_r)
+static void same_when_scaled(scene make, room within, double min_r, double max_r)
 {
   static const int powers[] = {-300, -41, -1, 2, 13, 300};
-  packing_particles *plain = run(make, 1, min_r, max_r);
+  packing_particles *plain = run(make, within, 1, min_r, max_r);
   packing_view a;
   packing_particles_view(plain, &a);
   for (size_t k = 0; k < sizeof powers / sizeof *powers; k++) {
-    packing_particles *scaled = run(make, ldexp(1, powers[k]), min_r, max_r);
+    packing_particles *scaled = run(make, within, ldexp(1, powers[k]), min_r, max_r);
     packing_view b;
     packing_particles_view(scaled, &b);
     assert_int_equal(a.count, b.count);
@@ -90,25 +121,33 @@ static void same_when_scaled(scene make, double min_r, double max_r)
   packing_particles_destroy(plain);
 }
 
+static const room rooms[] = {box, cell, plane, silo};
+
 static void equal_sizes(void **state)
 {
   (void)state;
-  same_when_scaled(rsa_saturated, 0.5, 0.5);
-  same_when_scaled(rsa_filled, 0.5, 0.5);
+  for (size_t i = 0; i < sizeof rooms / sizeof *rooms; i++) {
+    same_when_scaled(rsa_saturated, rooms[i], 0.5, 0.5);
+    same_when_scaled(rsa_filled, rooms[i], 0.5, 0.5);
+  }
 }
 
 static void unequal_sizes(void **state)
 {
   (void)state;
-  same_when_scaled(rsa_saturated, 0.3, 0.7);
-  same_when_scaled(rsa_filled, 0.1, 0.7);
+  for (size_t i = 0; i < sizeof rooms / sizeof *rooms; i++) {
+    same_when_scaled(rsa_saturated, rooms[i], 0.3, 0.7);
+    same_when_scaled(rsa_filled, rooms[i], 0.1, 0.7);
+  }
 }
 
 static void lattices(void **state)
 {
   (void)state;
-  same_when_scaled(lattice, 0.3, 0.7);
-  same_when_scaled(cells, 0.3, 0.7);
+  same_when_scaled(lattice, box, 0.3, 0.7);
+  same_when_scaled(lattice, silo, 0.3, 0.7);
+  same_when_scaled(cells, box, 0.3, 0.7);
+  same_when_scaled(cells, cell, 0.3, 0.7);
 }
 
 int main(void)

@@ -166,7 +166,7 @@ static void large_cells_saturate_at_the_known_fraction(void **state)
   packing_psd_destroy(psd);
 }
 
-/* Ledger 000-07: close to what can be placed, the sizes are still those asked. KS: D sqrt N <
+/* Close to what can be placed, the sizes are still those asked. KS: D sqrt N <
  * 2.23 (1e-4). */
 static void sizes_are_those_asked(void **state)
 {

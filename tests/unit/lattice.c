@@ -9,7 +9,7 @@ typedef struct crystal {
   double coordination;
 } crystal;
 
-/* verification.md 1.6; simple hexagonal: pi/(3 sqrt 3). */
+/* Exact: pi/6, pi sqrt 3/8, pi/sqrt 18 twice, pi/(3 sqrt 3), pi/sqrt 12, pi/4. */
 static const crystal crystals[] = {
     {PACKING_LATTICE_SC, {2, 2, 2}, 0.523598775598299, 6},
     {PACKING_LATTICE_BCC,
@@ -164,7 +164,7 @@ static void lattice_goes_round_what_stands(void **state)
   packing_domain_destroy(domain);
 }
 
-/* Ledger 004-05: no overlap and no protrusion for any radii up to the largest. */
+/* No overlap and no protrusion for any radii up to the largest. */
 static void cells_never_overlap(void **state)
 {
   (void)state;

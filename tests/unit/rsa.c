@@ -508,6 +508,30 @@ static void refusals_name_the_field(void **state)
   packing_context_destroy(c);
 }
 
+/* The mean coordination of sequential inhibition is 0: all are rattlers. */
+static void no_two_touch(void **state)
+{
+  (void)state;
+  packing_domain *domain = test_box(9.3, 9.4, 9.5, 7);
+  packing_psd *psds[] = {test_mono(0.5), test_uniform(0.3, 0.9)};
+  packing_rsa_def def;
+  packing_rsa_def_init(&def);
+  def.count = 200;
+  for (size_t k = 0; k < 2; k++) {
+    packing_particles *store = test_store(3);
+    packing_coordination_report contacts;
+    packing_view v;
+    assert_int_equal(pack(&def, domain, psds[k], store).placed, 200);
+    packing_particles_view(store, &v);
+    packing_coordination_report_init(&contacts);
+    assert_ok(packing_measure_coordination(NULL, NULL, domain, &v, &contacts));
+    assert_true(contacts.mean == 0 && contacts.rattlers == 200);
+    packing_particles_destroy(store);
+    packing_psd_destroy(psds[k]);
+  }
+  packing_domain_destroy(domain);
+}
+
 static void states_have_names(void **state)
 {
   (void)state;
@@ -532,6 +556,7 @@ int main(void)
       cmocka_unit_test(orders_place_the_same_sizes),
       cmocka_unit_test(components_are_kept),
       cmocka_unit_test(refusals_name_the_field),
+      cmocka_unit_test(no_two_touch),
       cmocka_unit_test(states_have_names),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,7 +2,7 @@
 # Times the same gravity settling in LAMMPS, LIGGGHTS and YADE, whichever are installed
 # (tests/deps --peers), and prints particle-steps per second of each.
 # usage: settle.sh [N=8000] [SETTLE=15000] [TIMED=5000]
-# Radius 0.02, base 1 x 1, seed 000's 3D material.
+# Radius 0.02, base 1 x 1, the 3D material of Campello and Cassares (2016).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 n=${1:-8000} settle=${2:-15000} timed=${3:-5000} L=1

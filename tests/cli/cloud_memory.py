@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Each request of the program for memory is refused once: cloud_memory.py PROGRAM MODULE.
+
+It ends with exit code 3, one line and no file, or, where the C library does without, with the
+very files of an undisturbed run. Pictures are left out: fontconfig, through which cairo finds
+its letters, does not survive a refusal."""
+import json
+import os
+import sys
+from cli import DONE, SYSTEM, Folder, equal, holds, main, one_line
+
+MODULE = os.path.abspath(sys.argv[2])
+PACKS = {
+    "rsa": ["--domain", "cylinder:2,5", "--psd", "0.5*curve:c.csv+0.5*sample:s.txt",
+            "--count", "20", "--order", "descending"],
+    "equal spheres": ["--domain", "box:2,2,2+periodic", "--psd", "mono:0.3"],
+    "lattice": ["--domain", "silo:2,6,1,3", "--psd", "mono:0.5", "--method", "lattice:fcc"],
+    "cells": ["--domain", "rect:9,9", "--psd", "uniform:0.2,0.4", "--count", "20",
+              "--method", "lattice:cells"],
+}
+OUT = ["pack.csv", "pack.vtp", "pack.data", "pack.xyz", "yade:pack.txt"]
+INPUT = {"c.csv": "diameter,passing\n0.2,0\n0.4,1\n", "s.txt": "0.2\n0.3\n"}
+
+
+def run(program, arguments, fail_at):
+    """The result and what the files hold; the report without its times."""
+    with Folder(program) as folder:
+        for name, text in INPUT.items():
+            folder.write(name, text)
+        outs = [word for name in OUT for word in ("--out", name)]
+        result = folder.run(*arguments, *outs, "--threads", "1", "--report", "report.json",
+                            env=dict(os.environ, LD_PRELOAD=MODULE, FAIL_AT=str(fail_at)))
+        result.files = {name: folder.read(name) for name in result.files
+                        if name not in INPUT}
+    if "report.json" in result.files:
+        report = json.loads(result.files["report.json"])
+        del report["time"], report["rate"]
+        result.files["report.json"] = report
+    return result
+
+
+def survives(arguments):
+    def test(program):
+        whole = run(program, arguments, 0)
+        equal((whole.code, len(whole.files)), (DONE, len(OUT) + 1), "an undisturbed run")
+        refused, fail_at, unnoticed = 0, 1, 0
+        while unnoticed < 50:  # more than the C library does without in a row
+            result = run(program, arguments, fail_at)
+            if result.code == DONE:
+                holds(result.files == whole.files, "files differ, request %d" % fail_at)
+                unnoticed += 1
+            else:
+                equal(result.code, SYSTEM, "exit code, request %d" % fail_at)
+                equal(sorted(result.files), [], "files, request %d" % fail_at)
+                one_line(result, "packing-cloud", "out of memory")
+                refused, unnoticed = refused + 1, 0
+            fail_at += 1
+        holds(refused > 200, "only %d requests were refused" % refused)
+    return test
+
+
+main([(name, survives(arguments)) for name, arguments in PACKS.items()])
