@@ -152,6 +152,7 @@ int main(void)
       {"equal spheres to saturation", 3, 0, 1, 1000000},
       {"equal discs to saturation", 2, 0, 1, 1000000},
       {"radii 0.1 to 1, largest first, 0.30", 3, 0.30, 0.1, 300000}};
+  setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* lines as they come, into a log too */
   for (size_t j = 0; j < sizeof jobs / sizeof *jobs; j++)
     for (int threads = 1; threads <= 2; threads++)
       time_job(&jobs[j], threads);
