@@ -85,7 +85,7 @@ PACKING_I_AVX512 static size_t pick_avx512(packing_i_rsa_near_centres *near,
   size_t count = 0;
   for (size_t i = 0; i < near->count; i += 8) {
     const size_t left = near->count - i;
-    const __mmask8 there = left < 8 ? (__mmask8)((1U << left) - 1U) : (__mmask8)ALL;
+    const __mmask8 there = (__mmask8)(left < 8 ? (1U << left) - 1U : (unsigned)ALL);
     const __m512d x = _mm512_sub_pd(_mm512_maskz_loadu_pd(there, &near->x[i]), cx);
     const __m512d y = _mm512_sub_pd(_mm512_maskz_loadu_pd(there, &near->y[i]), cy);
     const __m512d z = _mm512_sub_pd(_mm512_maskz_loadu_pd(there, &near->z[i]), cz);

@@ -129,10 +129,10 @@ static packing_status begin_round(packing_placer *placer, equal *e)
 {
   size_t darts = darts_of_round(placer, e), bins = (size_t)e->cells.n[1] * e->cells.n[2];
   if (e->phase == VOXELS) {
-    const size_t live = e->voxels.live.count;
+    const size_t live = e->voxels.live.count, enough = live / VOXELS_A_DART;
     bins = (live + VOXELS_A_BIN - 1) / VOXELS_A_BIN;
-    if (VOXELS_A_DART * darts > live)
-      darts = (size_t)limited((double)(live / VOXELS_A_DART), LEAST_DARTS, MOST_DARTS);
+    if (darts > enough)
+      darts = (size_t)limited((double)enough, LEAST_DARTS, MOST_DARTS);
   }
   e->scene.target.point = e->phase == VOXELS ? voxel_point : row_point;
   return packing_i_rsa_round_begin(&e->round, placer->context, darts, bins);
