@@ -59,6 +59,7 @@ static packing_status choose_cells(packing_i_rsa_cells *cells, packing_context *
     e[axis] = w[axis] / n[axis];
     per[axis] = w[axis] > 0 ? n[axis] / w[axis] : 0;
   }
+  cells->per_layer = 1 / n[1];
   cells->edge = packing_i_vec(e[0], e[1], e[2]);
   cells->per_edge = packing_i_vec(per[0], per[1], per[2]);
   cells->head =
@@ -164,9 +165,13 @@ size_t packing_i_rsa_cells_around(const packing_i_rsa_cells *cells, uint32_t cel
 
 int packing_i_rsa_cells_free(const packing_i_rsa_cells *c, packing_vec3 p)
 {
-  const uint32_t cell = packing_i_rsa_cell_of(c, p);
-  if (packing_i_rsa_cells_is_inner(c, cell)) {
+  uint32_t at[3];
+  packing_i_rsa_cells_locate(c, p, at);
+  const uint32_t cell = packing_i_rsa_cell_at(c, at);
+  if (packing_i_rsa_cells_is_inner(c, at)) {
     uint32_t list[28];
+    if (!chain_free(c, c->head[cell], p))
+      return 0; /* the likeliest place by far */
     const size_t count = packing_i_rsa_cells_heads(c, cell, 0, list);
     for (size_t i = 0; i < count; i++)
       if (!chain_free(c, list[i], p))

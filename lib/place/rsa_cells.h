@@ -21,6 +21,7 @@ typedef struct packing_i_rsa_cells {
   packing_vec3 per_edge; /* 1 / edge, 0 where the region is flat */
   packing_vec3 period;   /* of the domain, 0 where not periodic */
   uint32_t n[3];         /* cells */
+  double per_layer;      /* 1 / n[1]: rows to layers */
   double diameter;
   double diameter2;
   uint32_t *head; /* per cell: index + 1 of its first record; 0: empty */
@@ -50,12 +51,25 @@ static inline uint32_t packing_i_rsa_cell_along(double x, double lo, double per_
   return at < (double)n ? (uint32_t)at : n - 1;
 }
 
+static inline void packing_i_rsa_cells_locate(const packing_i_rsa_cells *c,
+                                              packing_vec3 p, uint32_t at[3])
+{
+  at[0] = packing_i_rsa_cell_along(p.x, c->lo.x, c->per_edge.x, c->n[0]);
+  at[1] = packing_i_rsa_cell_along(p.y, c->lo.y, c->per_edge.y, c->n[1]);
+  at[2] = packing_i_rsa_cell_along(p.z, c->lo.z, c->per_edge.z, c->n[2]);
+}
+
+static inline uint32_t packing_i_rsa_cell_at(const packing_i_rsa_cells *c,
+                                             const uint32_t at[3])
+{
+  return (at[2] * c->n[1] + at[1]) * c->n[0] + at[0];
+}
+
 static inline uint32_t packing_i_rsa_cell_of(const packing_i_rsa_cells *c, packing_vec3 p)
 {
-  const uint32_t ix = packing_i_rsa_cell_along(p.x, c->lo.x, c->per_edge.x, c->n[0]);
-  const uint32_t iy = packing_i_rsa_cell_along(p.y, c->lo.y, c->per_edge.y, c->n[1]);
-  const uint32_t iz = packing_i_rsa_cell_along(p.z, c->lo.z, c->per_edge.z, c->n[2]);
-  return (iz * c->n[1] + iy) * c->n[0] + ix;
+  uint32_t at[3];
+  packing_i_rsa_cells_locate(c, p, at);
+  return packing_i_rsa_cell_at(c, at);
 }
 
 /* Adds a centre; room was reserved. */
@@ -66,16 +80,14 @@ int packing_i_rsa_cells_free(const packing_i_rsa_cells *cells, packing_vec3 p);
 
 /* Away from the borders the cells around a cell are rows of three, without shifts. */
 static inline int packing_i_rsa_cells_is_inner(const packing_i_rsa_cells *c,
-                                               uint32_t cell)
+                                               const uint32_t at[3])
 {
-  const uint32_t ix = cell % c->n[0], row = cell / c->n[0];
-  const uint32_t iy = row % c->n[1], iz = row / c->n[1];
-  return ix > 0 && iy > 0 && iz > 0 && ix + 1 < c->n[0] && iy + 1 < c->n[1] &&
-         iz + 1 < c->n[2];
+  return at[0] > 0 && at[1] > 0 && at[2] > 0 && at[0] + 1 < c->n[0] &&
+         at[1] + 1 < c->n[1] && at[2] + 1 < c->n[2];
 }
 
 /* Collects the heads above `least` (0: of all cells that are not empty) of an inner cell and the
- * cells around it, itself first and again among them. Without branches, which half-empty cells
+ * cells around it. Without branches, which half-empty cells
  * would mislead. Returns how many. */
 static inline size_t packing_i_rsa_cells_heads(const packing_i_rsa_cells *c,
                                                uint32_t cell, uint32_t least,
@@ -84,8 +96,6 @@ static inline size_t packing_i_rsa_cells_heads(const packing_i_rsa_cells *c,
   const size_t row = c->n[0], layer = (size_t)c->n[0] * c->n[1];
   const uint32_t *first = c->head + (cell - layer - row - 1);
   size_t count = 0;
-  list[count] = c->head[cell];
-  count += list[count] > least;
   for (size_t k = 0; k < 3; k++)
     for (size_t j = 0; j < 3; j++) {
       const uint32_t *head = first + k * layer + j * row;

@@ -58,10 +58,9 @@ static packing_vec3 keep_point(const packing_i_rsa_cells *c, packing_vec3 p)
 static packing_vec3 unit_point(const uint32_t random[4])
 {
   const uint32_t low = random[3];
-  return packing_i_vec(((double)random[0] + (double)(low & 255U) * 0x1p-8) * 0x1p-32,
-                       ((double)random[1] + (double)(low >> 8 & 255U) * 0x1p-8) * 0x1p-32,
-                       ((double)random[2] + (double)(low >> 16 & 255U) * 0x1p-8) *
-                           0x1p-32);
+  return packing_i_vec((double)((uint64_t)random[0] << 8 | (low & 255U)) * 0x1p-40,
+                       (double)((uint64_t)random[1] << 8 | (low >> 8 & 255U)) * 0x1p-40,
+                       (double)((uint64_t)random[2] << 8 | (low >> 16 & 255U)) * 0x1p-40);
 }
 
 /* Bins of the first phase: rows of cells along x. */
@@ -70,8 +69,8 @@ static int row_point(const void *user, size_t bin, const uint32_t random[4],
 {
   const packing_i_rsa_cells *c = &((const equal *)user)->cells;
   const packing_vec3 u = unit_point(random);
-  const uint32_t row = (uint32_t)bin, layer = row / c->n[1];
-  const double y = (double)(row % c->n[1]) + u.y, z = (double)layer + u.z;
+  const double row = (double)bin, layer = floor((row + 0.5) * c->per_layer);
+  const double y = row - layer * c->n[1] + u.y, z = layer + u.z;
   *point = keep_point(c, packing_i_vec(c->lo.x + u.x * c->width.x,
                                        c->lo.y + y * c->edge.y, c->lo.z + z * c->edge.z));
   return 1;

@@ -8,11 +8,12 @@ enum {
   COUNTS_A_UNIT = 1 << 16,
   DARTS_A_BLOCK = 1024,
   BLOCKS_A_UNIT = 16,
-  DARTS_AHEAD = 16,
+  DARTS_AHEAD = PACKING_I_PHILOX_BATCH,
   CANDIDATES_A_UNIT = 1 << 14,
   CANDIDATES_A_BLOCK = 2048,
   PURPOSE_COUNT = 64, /* streams of our own beside PACKING_PURPOSE_POSITION */
-  PURPOSE_TIME = 65
+  PURPOSE_TIME = 65,
+  PURPOSE_BIAS = 66
 };
 
 enum { REFUSED, ACCEPTED, UNSETTLED };
@@ -32,7 +33,9 @@ packing_status packing_i_rsa_round_init(packing_i_rsa_round *round,
   const packing_allocator *allocator = packing_i_allocator(context);
   open_key(seed, stream, PACKING_PURPOSE_POSITION, round->key);
   open_key(seed, stream, PURPOSE_TIME, round->time_key);
-  packing_i_stream_open(&round->counts, seed, stream, PURPOSE_COUNT, 0);
+  open_key(seed, stream, PURPOSE_COUNT, round->count_key);
+  packing_i_stream_open(&round->counts, seed, stream, PURPOSE_BIAS, 0);
+  round->philox = packing_i_philox_batch_for(packing_context_isa(context));
   round->scratch = packing_i_alloc(allocator, (size_t)DARTS_A_BLOCK * BLOCKS_A_UNIT,
                                    sizeof *round->scratch);
   round->scratch_count =
@@ -89,12 +92,31 @@ static size_t portion(const packing_i_rsa_round *round, size_t total, size_t uni
   return total - round->at < unit ? total - round->at : unit;
 }
 
+/* One of the bins from 32 random bits, all alike: Lemire's method; the few numbers that would favour
+ * a bin are replaced. */
+static size_t bin_from(packing_i_rsa_round *round, uint32_t bits)
+{
+  const uint32_t bins = (uint32_t)round->bins;
+  const uint64_t product = (uint64_t)bits * bins;
+  if ((uint32_t)product < bins && (uint32_t)product < (0 - bins) % bins)
+    return packing_i_stream_below(&round->counts, bins);
+  return (size_t)(product >> 32);
+}
+
 /* Draws the bin of some darts; at the end first[b] is the first dart of bin b. */
 static void count_step(packing_i_rsa_round *round)
 {
+  enum { AT_ONCE = 4 * PACKING_I_PHILOX_BATCH };
   const size_t n = portion(round, round->darts, COUNTS_A_UNIT);
-  for (size_t i = 0; i < n; i++)
-    round->first[packing_i_stream_below(&round->counts, round->bins) + 1]++;
+  for (size_t i = 0; i < n; i += AT_ONCE) {
+    uint32_t word[4][PACKING_I_PHILOX_BATCH];
+    round->philox((round->at + i) / 4, round->number, round->count_key, word);
+    for (size_t k = 0; k < AT_ONCE && i + k < n; k++)
+      round
+          ->first[bin_from(round,
+                           word[k / PACKING_I_PHILOX_BATCH][k % PACKING_I_PHILOX_BATCH]) +
+                  1]++;
+  }
   round->at += n;
   if (round->at < round->darts)
     return;
@@ -109,12 +131,14 @@ typedef struct round_task {
   size_t count; /* items of this unit, from round->at */
 } round_task;
 
-static void random_of(const packing_i_rsa_round *round, const uint32_t key[2],
-                      size_t dart, uint32_t random[4])
+/* The time of a dart. */
+static uint64_t time_of(const packing_i_rsa_round *round, size_t dart)
 {
   const uint32_t counter[4] = {(uint32_t)dart, (uint32_t)(dart >> 32),
                                (uint32_t)round->number, (uint32_t)(round->number >> 32)};
-  packing_i_philox(counter, key, random);
+  uint32_t random[4];
+  packing_i_philox(counter, round->time_key, random);
+  return (uint64_t)random[1] << 32 | random[0];
 }
 
 /* The bin that a dart belongs to. */
@@ -142,11 +166,13 @@ static size_t draw_points(const packing_i_rsa_round *round,
                           size_t *bin, dart_point *out)
 {
   size_t count = 0;
+  uint32_t word[4][PACKING_I_PHILOX_BATCH];
+  round->philox(from, round->number, round->key, word);
   for (size_t dart = from; dart < to; dart++) {
-    uint32_t random[4];
+    const size_t i = dart - from;
+    const uint32_t random[4] = {word[0][i], word[1][i], word[2][i], word[3][i]};
     while (round->first[*bin + 1] <= dart)
       ++*bin;
-    random_of(round, round->key, dart, random);
     out[count].dart = dart;
     if (!scene->target.point(scene->target.user, *bin, random, &out[count].p))
       continue;
@@ -173,15 +199,13 @@ static void throw_block(void *arg, size_t block)
     const size_t count = draw_points(round, scene, at, stop, &bin, points);
     for (size_t i = 0; i < count; i++) {
       const packing_vec3 p = points[i].p;
-      uint32_t random[4];
       if ((!scene->boxlike &&
            !packing_domain_holds(scene->placer->domain, &p,
                                  scene->r * (1 - packing_i_hold_slack))) ||
           !packing_i_rsa_cells_free(scene->cells, p))
         continue;
-      random_of(round, round->time_key, points[i].dart, random);
       out[found++] =
-          (packing_i_rsa_candidate){p.x, p.y, p.z, (uint64_t)random[1] << 32 | random[0]};
+          (packing_i_rsa_candidate){p.x, p.y, p.z, time_of(round, points[i].dart)};
     }
   }
   round->scratch_count[block] = found;
@@ -286,7 +310,9 @@ static int has_earlier(const packing_i_rsa_round *round, const packing_i_rsa_cel
 {
   const packing_vec3 p = place_of(round, i);
   const uint32_t cell = cells->record[round->base + i].cell;
-  if (packing_i_rsa_cells_is_inner(cells, cell)) {
+  uint32_t where[3];
+  packing_i_rsa_cells_locate(cells, p, where);
+  if (packing_i_rsa_cells_is_inner(cells, where)) {
     uint32_t list[28];
     const size_t n = packing_i_rsa_cells_heads(cells, cell, (uint32_t)round->base, list);
     for (size_t k = 0; k < n; k++)

@@ -17,6 +17,7 @@
 
 #include "rsa_cells.h"
 #include "rsa_internal.h"
+#include "rng/philox_batch.h"
 
 typedef struct packing_i_rsa_candidate {
   double x, y, z;
@@ -45,9 +46,11 @@ typedef enum packing_i_rsa_stage {
 
 typedef struct packing_i_rsa_round {
   packing_i_rsa_stage stage;
-  uint32_t key[2];      /* positions */
-  uint32_t time_key[2]; /* times */
-  packing_i_stream counts;
+  uint32_t key[2];         /* positions */
+  uint32_t time_key[2];    /* times */
+  uint32_t count_key[2];   /* bins */
+  packing_i_stream counts; /* for the few numbers that would bias a bin */
+  packing_i_philox_batch philox;
   uint64_t number; /* of this round */
   size_t darts;
   size_t bins;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The generator itself: known answers, the naming of streams, the face shown to GSL. */
 #include "test.h"
+#include "rng/philox_batch.h"
 #include "rng/rng_internal.h"
 #include <gsl/gsl_randist.h>
 
@@ -165,6 +166,33 @@ static void ziggurat_runs_on_the_stream(void **state)
   assert_near(squares / n, 1, 5 * sqrt(2.0 / n));
 }
 
+/* Each instruction set, across the carry of the counter. */
+static void batches_are_the_single_blocks(void **state)
+{
+  (void)state;
+  const uint64_t firsts[] = {0, 5, 0xfffffff9, UINT64_C(0x123456789abcdef0),
+                             UINT64_MAX - 3};
+  const uint32_t key[2] = {0x9e3779b9, 0xdeadbeef};
+  for (int isa = PACKING_ISA_BASELINE; isa < PACKING_ISA_END; isa++) {
+    if (!packing_isa_available((packing_isa)isa))
+      continue;
+    for (size_t f = 0; f < sizeof firsts / sizeof *firsts; f++) {
+      const uint64_t index = UINT64_C(0xfedcba9876543210) + f;
+      uint32_t word[4][PACKING_I_PHILOX_BATCH];
+      packing_i_philox_batch_for((packing_isa)isa)(firsts[f], index, key, word);
+      for (unsigned i = 0; i < PACKING_I_PHILOX_BATCH; i++) {
+        const uint64_t block = firsts[f] + i;
+        const uint32_t counter[4] = {(uint32_t)block, (uint32_t)(block >> 32),
+                                     (uint32_t)index, (uint32_t)(index >> 32)};
+        uint32_t out[4];
+        packing_i_philox(counter, key, out);
+        for (unsigned w = 0; w < 4; w++)
+          assert_true(word[w][i] == out[w]);
+      }
+    }
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -176,6 +204,7 @@ int main(void)
       cmocka_unit_test(below_refuses_what_would_bias),
       cmocka_unit_test(gsl_draws_from_the_stream),
       cmocka_unit_test(ziggurat_runs_on_the_stream),
+      cmocka_unit_test(batches_are_the_single_blocks),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
