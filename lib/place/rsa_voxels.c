@@ -20,6 +20,16 @@ static void list_release(packing_i_rsa_voxel_list *list,
   *list = (packing_i_rsa_voxel_list){0};
 }
 
+/* Gives back the blocks before voxel `end`: all at once at the end would take long. */
+static void list_release_before(packing_i_rsa_voxel_list *list,
+                                const packing_allocator *allocator, size_t end)
+{
+  for (size_t b = end / PACKING_I_VOXELS_A_BLOCK; b-- > 0 && list->block[b] != NULL;) {
+    packing_i_free(allocator, list->block[b]);
+    list->block[b] = NULL;
+  }
+}
+
 /* Makes room for `more` voxels. */
 static packing_status list_reserve(packing_i_rsa_voxel_list *list,
                                    packing_context *context, size_t more)
@@ -219,6 +229,9 @@ packing_status packing_i_rsa_voxels_split(packing_i_rsa_voxels *voxels,
   for (size_t i = 0; i < count; i++)
     append_children(&voxels->next, parent_at(voxels, voxels->split + i), voxels->mask[i]);
   voxels->split += count;
+  if (voxels->level >= 0)
+    list_release_before(&voxels->live, packing_i_allocator(space->context),
+                        voxels->split);
   *done = voxels->split == voxels->parents;
   if (*done) {
     list_release(&voxels->live, packing_i_allocator(space->context));
