@@ -439,11 +439,16 @@ static int judge(const cloud *c)
                    (unsigned long long)c->asked->max_failures);
   if (c->placed.state == PACKING_PLACER_DONE || !limited)
     return PROGRAM_DONE;
+  /* The largest find room while there is some. */
+  const char *hint =
+      c->placed.state == PACKING_PLACER_GAVE_UP && c->asked->order == PACKING_ORDER_DRAWN
+          ? "; --order descending places more"
+          : "";
   if (c->count > 0)
-    return program_fail(PROGRAM_SHORT, "%s: %zu of %zu particles placed", state,
-                        c->placed.placed, c->count);
-  return program_fail(PROGRAM_SHORT, "%s: volume fraction %.6g of %.6g reached", state,
-                      c->placed.volume_fraction, c->volume_fraction);
+    return program_fail(PROGRAM_SHORT, "%s: %zu of %zu particles placed%s", state,
+                        c->placed.placed, c->count, hint);
+  return program_fail(PROGRAM_SHORT, "%s: volume fraction %.6g of %.6g reached%s", state,
+                      c->placed.volume_fraction, c->volume_fraction, hint);
 }
 
 static int run(cloud *c, const char *command)
