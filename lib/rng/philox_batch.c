@@ -28,8 +28,8 @@ batch_avx2(uint64_t first, uint64_t index, const uint32_t key[2],
   const __m256i m0 = _mm256_set1_epi64x(0xD2511F53), m1 = _mm256_set1_epi64x(0xCD9E8D57);
   for (unsigned i = 0; i < PACKING_I_PHILOX_BATCH; i += 4) {
     const uint64_t b = first + i;
-    __m256i c0 = _mm256_set_epi64x((long long)(b + 3), (long long)(b + 2),
-                                   (long long)(b + 1), (long long)b);
+    __m256i c0 =
+        _mm256_add_epi64(_mm256_set1_epi64x((long long)b), _mm256_set_epi64x(3, 2, 1, 0));
     __m256i c1 = _mm256_srli_epi64(c0, 32);
     __m256i c2 = _mm256_set1_epi64x((long long)index), c3 = _mm256_srli_epi64(c2, 32);
     uint32_t k0 = key[0], k1 = key[1];
@@ -59,7 +59,8 @@ batch_avx512(uint64_t first, uint64_t index, const uint32_t key[2],
   const __m512i m0 = _mm512_set1_epi64(0xD2511F53), m1 = _mm512_set1_epi64(0xCD9E8D57);
   const __m512i steps = _mm512_setr_epi64(0, 1, 2, 3, 4, 5, 6, 7);
   for (unsigned i = 0; i < PACKING_I_PHILOX_BATCH; i += 8) {
-    __m512i c0 = _mm512_add_epi64(_mm512_set1_epi64((long long)(first + i)), steps);
+    const uint64_t b = first + i;
+    __m512i c0 = _mm512_add_epi64(_mm512_set1_epi64((long long)b), steps);
     __m512i c1 = _mm512_srli_epi64(c0, 32);
     __m512i c2 = _mm512_set1_epi64((long long)index), c3 = _mm512_srli_epi64(c2, 32);
     uint32_t k0 = key[0], k1 = key[1];

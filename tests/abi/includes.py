@@ -30,7 +30,7 @@ RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
     "zlib.h": {"io"},
     "omp.h": {"base"},
-    "immintrin.h": {"grid", "place", "dem", "measure"},
+    "immintrin.h": {"rng", "grid", "place", "dem", "measure"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
