@@ -2,11 +2,8 @@
 /* Reading and writing 1e6 spheres, on one thread: seconds and MB/s, the least of five runs.
  * "file" is a file in TMPDIR (or /tmp), sync and rename included; "memory" is a buffer. */
 #define _XOPEN_SOURCE 700
-#include <packing/packing.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include "bench.h"
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { COUNT = 1000000, RUNS = 5 };
@@ -23,13 +20,6 @@ typedef struct bench {
   char path[512];
   size_t bytes;
 } bench;
-
-static double now(void)
-{
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void check(packing_status status, const bench *b)
 {

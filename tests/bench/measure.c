@@ -4,11 +4,8 @@
  * a volume fraction of 0.25) and a face-centred one shaken a little (0.60), numbered in random
  * order as a random placement is, in a box with walls. */
 #define _POSIX_C_SOURCE 200809L
-#include <packing/packing.h>
+#include "bench.h"
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
 
 enum { RUNS = 5 };
 
@@ -23,21 +20,6 @@ typedef struct pack {
   packing_psd *psd;
   packing_view view;
 } pack;
-
-static void must(packing_status status)
-{
-  if (status == PACKING_OK)
-    return;
-  fprintf(stderr, "%s\n", packing_status_string(status));
-  exit(1);
-}
-
-static double now(void)
-{
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void *room(size_t count, size_t size)
 {

@@ -2,28 +2,10 @@
 /* Random sequential addition of a million particles, wall clock from creation to the last step,
  * on one thread and on two: the best and the median of five; the longest step of budget 1. */
 #define _POSIX_C_SOURCE 200809L
-#include <packing/packing.h>
+#include "bench.h"
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
 
 enum { RUNS = 5 };
-
-static void must(packing_status status)
-{
-  if (status == PACKING_OK)
-    return;
-  fprintf(stderr, "%s\n", packing_status_string(status));
-  exit(1);
-}
-
-static double now(void)
-{
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 typedef struct job {
   const char *name;
