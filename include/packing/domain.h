@@ -351,10 +351,10 @@ static inline void packing_domain_custom_def_init(packing_domain_custom_def *def
  *  \param context NULL is fine
  *  \param def options; the sizes have no default
  *  \param[out] domain the container
- *  \return PACKING_OK; PACKING_ERR_INVALID (NaN, infinite, NULL); PACKING_ERR_RANGE;
- *          PACKING_ERR_NOMEM; PACKING_ERR_ABI;
- *          PACKING_ERR_GEOMETRY (a computed volume of 0 or beyond volume_tolerance, a
- *          distance that is NaN) */
+ *  \return PACKING_OK; PACKING_ERR_INVALID (NaN, infinite, NULL); PACKING_ERR_RANGE (also
+ *          when a computed volume misses volume_tolerance); PACKING_ERR_NOMEM;
+ *          PACKING_ERR_ABI; PACKING_ERR_GEOMETRY (a computed volume of 0, a distance that is
+ *          NaN) */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_domain_create_custom(
     packing_context *context, const packing_domain_custom_def *def,
     packing_domain **domain);
@@ -367,7 +367,8 @@ PACKING_API PACKING_WARN_UNUSED packing_status packing_domain_create_custom(
  *  \param distance >= 0 [L]
  *  \param[out] inset the smaller container
  *  \return PACKING_OK; PACKING_ERR_GEOMETRY (nothing with a volume is left);
- *          PACKING_ERR_INVALID; PACKING_ERR_RANGE; PACKING_ERR_NOMEM */
+ *          PACKING_ERR_INVALID; PACKING_ERR_RANGE (a negative distance; custom: the volume left
+ *          misses volume_tolerance); PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_domain_create_inset(packing_context *context, packing_domain *domain,
                             double distance, packing_domain **inset);

@@ -30,9 +30,10 @@ static packing_status compute_volume(packing_context *context,
     return packing_i_fail(context, PACKING_ERR_GEOMETRY, "signed_distance",
                           PACKING_NO_INDEX, "a distance is no number");
   if (error > tolerance.relative * volume)
-    return packing_i_fail(context, PACKING_ERR_GEOMETRY, "volume", PACKING_NO_INDEX,
-                          "the computed volume of %g may be wrong by %g, more than "
-                          "volume_tolerance allows: state it, or tighten the bounds",
+    return packing_i_fail(context, PACKING_ERR_RANGE, "volume_tolerance",
+                          PACKING_NO_INDEX,
+                          "the computed volume of %g may be wrong by %g, more than is "
+                          "allowed: state the volume, or tighten the bounds",
                           volume, error);
   body->volume = volume;
   return PACKING_OK;

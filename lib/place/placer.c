@@ -67,7 +67,8 @@ packing_status packing_i_placer_check_room(const packing_placer *placer)
   packing_domain_destroy(inset);
   if (status == PACKING_ERR_NOMEM)
     return packing_i_nomem(placer->context);
-  if (room && status == PACKING_OK)
+  /* Room whose volume cannot be computed well enough is room. */
+  if (room && (status == PACKING_OK || status == PACKING_ERR_RANGE))
     return PACKING_OK;
   return packing_i_fail(placer->context, PACKING_ERR_GEOMETRY, "psd", PACKING_NO_INDEX,
                         "a particle of radius %.12g does not fit into the container", r);

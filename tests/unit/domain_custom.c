@@ -110,6 +110,52 @@ static void insets_share_the_user_s_data(void **state)
   assert_int_equal(t.released, 1);
 }
 
+/* A ball as its distance alone; in 3D a volume to 1e-8 is out of reach. */
+static double ball(void *user, const packing_vec3 *p, packing_vec3 *normal)
+{
+  (void)user;
+  const double d = sqrt(p->x * p->x + p->y * p->y + p->z * p->z);
+  if (normal != NULL) {
+    const packing_vec3 in = {d > 0 ? -p->x / d : 1, d > 0 ? -p->y / d : 0,
+                             d > 0 ? -p->z / d : 0};
+    *normal = in;
+  }
+  return 1 - d;
+}
+
+/* What cannot be computed well enough is said to be so, not to be empty; particles still fit. */
+static void volumes_out_of_reach_are_no_empty_containers(void **state)
+{
+  (void)state;
+  packing_context *context = test_context(1, PACKING_ISA_AUTO);
+  packing_domain *domain = NULL, *inset = NULL;
+  packing_domain_custom_def def;
+  packing_domain_custom_def_init(&def);
+  def.signed_distance = ball;
+  def.bounds.lo.x = def.bounds.lo.y = def.bounds.lo.z = -1;
+  def.bounds.hi.x = def.bounds.hi.y = def.bounds.hi.z = 1;
+  def.volume_tolerance = 1e-8;
+  assert_fails(context, packing_domain_create_custom(context, &def, &domain),
+               PACKING_ERR_RANGE, "volume_tolerance");
+  def.volume = 4.1887902047863905;
+  assert_ok(packing_domain_create_custom(context, &def, &domain));
+  assert_fails(context, packing_domain_create_inset(context, domain, 0.1, &inset),
+               PACKING_ERR_RANGE, "volume_tolerance");
+  packing_psd *psd = test_mono(0.2);
+  packing_particles *store = test_store(3);
+  packing_placer *placer = NULL;
+  packing_rsa_def rsa;
+  packing_rsa_def_init(&rsa);
+  rsa.count = 5;
+  assert_ok(packing_rsa_create(context, &rsa, domain, psd, store, &placer));
+  assert_int_equal(test_run(placer).placed, 5);
+  packing_placer_destroy(placer);
+  packing_particles_destroy(store);
+  packing_psd_destroy(psd);
+  packing_domain_destroy(domain);
+  packing_context_destroy(context);
+}
+
 static void stated_volumes_are_taken(void **state)
 {
   (void)state;
@@ -219,6 +265,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(twins_answer_alike),
       cmocka_unit_test(insets_share_the_user_s_data),
+      cmocka_unit_test(volumes_out_of_reach_are_no_empty_containers),
       cmocka_unit_test(stated_volumes_are_taken),
       cmocka_unit_test(custom_refuses),
       cmocka_unit_test(cut_volumes_notice_nan),
