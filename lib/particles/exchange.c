@@ -9,6 +9,18 @@ static const packing_column *column_of(const packing_view *view, int field)
                                                 packing_i_fields[field].view_offset);
 }
 
+/* Whether a column lies in the store's own memory, which growing would take away. */
+static int is_own(const packing_particles *p, const packing_column *c)
+{
+  const uintptr_t at = (uintptr_t)c->data;
+  for (int f = 0; f < PACKING_FIELD_END; f++) {
+    const uintptr_t from = (uintptr_t)p->column[f];
+    if (from != 0 && at >= from && at < from + p->capacity * packing_i_fields[f].size)
+      return 1;
+  }
+  return 0;
+}
+
 /* What a view must be before any of it is copied. */
 static packing_status check_view(const packing_particles *p, const packing_view *view,
                                  packing_view *v)
@@ -16,12 +28,12 @@ static packing_status check_view(const packing_particles *p, const packing_view 
   if (!packing_i_view_read(view, v))
     return packing_i_fail(p->context, PACKING_ERR_INVALID, "view", PACKING_NO_INDEX,
                           "NULL, not initialised, or x, y or r is missing");
-  if (v->count > 0 && p->count > 0 && v->x.data == p->x)
-    return packing_i_fail(p->context, PACKING_ERR_INVALID, "view", PACKING_NO_INDEX,
-                          "shows this very store");
   for (int f = 0; f < PACKING_FIELD_END; f++) {
     const packing_column *c = column_of(v, f);
     const unsigned flag = packing_i_fields[f].flag;
+    if (v->count > 0 && is_own(p, c))
+      return packing_i_fail(p->context, PACKING_ERR_INVALID, "view", PACKING_NO_INDEX,
+                            "shows this very store");
     if (c->data != NULL && (flag == 0 || (p->columns & flag) != 0))
       PACKING_I_TRY(
           packing_i_particles_check(p, (packing_field)f, c->data, c->stride, v->count));

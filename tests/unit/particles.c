@@ -238,6 +238,26 @@ static void views_that_are_none_are_refused(void **state)
   packing_particles_destroy(p);
 }
 
+/* Also one that begins in the middle: growing would free what is still to be copied. */
+static void views_of_the_store_itself_are_refused(void **state)
+{
+  packing_context *context = context_of(state);
+  packing_particles *p = make(context, 3, PACKING_COLUMN_ID);
+  fill(p, 16);
+  packing_view v;
+  packing_particles_view(p, &v);
+  assert_fails(context, packing_particles_append(p, &v), PACKING_ERR_INVALID, "view");
+  v.count = 8;
+  v.x.data = (const double *)v.x.data + 8;
+  v.y.data = (const double *)v.y.data + 8;
+  v.z.data = (const double *)v.z.data + 8;
+  v.r.data = (const double *)v.r.data + 8;
+  assert_fails(context, packing_particles_append(p, &v), PACKING_ERR_INVALID, "view");
+  assert_fails(context, packing_particles_assign(p, &v), PACKING_ERR_INVALID, "view");
+  assert_int_equal(packing_particles_count(p), 16);
+  packing_particles_destroy(p);
+}
+
 static void removal_keeps_the_order_of_the_rest(void **state)
 {
   packing_particles *p = make(context_of(state), 3, PACKING_COLUMN_ID);
@@ -410,6 +430,7 @@ int main(void)
       cmocka_unit_test(a_view_without_z_lies_in_the_plane),
       cmocka_unit_test(failing_views_change_nothing),
       cmocka_unit_test(views_that_are_none_are_refused),
+      cmocka_unit_test(views_of_the_store_itself_are_refused),
       cmocka_unit_test(removal_keeps_the_order_of_the_rest),
       cmocka_unit_test(removal_refuses_wrong_indices),
       cmocka_unit_test(add_refuses_bad_numbers),
