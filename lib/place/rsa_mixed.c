@@ -37,6 +37,7 @@ typedef struct mixed {
   drawn_size *list;   /* descending order: all of them */
   size_t listed;
   size_t next;
+  size_t undrawn; /* asked beyond the list, which is more than the container holds */
 } mixed;
 
 static drawn_size draw_size(const packing_placer *placer, mixed *m)
@@ -90,7 +91,7 @@ static void next_size(packing_placer *placer, mixed *m)
 static void give_up(packing_placer *placer, const mixed *m)
 {
   placer->tally.state = PACKING_PLACER_GAVE_UP;
-  placer->tally.unplaced = 1 + (m->listed - m->next);
+  placer->tally.unplaced = 1 + (m->listed - m->next) + m->undrawn;
 }
 
 /* One dart for the pending radius. Memory is taken before the dart is drawn, so that a step that
@@ -171,6 +172,11 @@ static packing_status draw_list(packing_placer *placer, mixed *m)
     m->list[m->listed++] = drawn;
     tally.placed++;
     tally.solid_volume += ball;
+    if (tally.solid_volume > placer->domain_volume) {
+      /* Some of these will find no place: the rest need not be drawn to know. */
+      m->undrawn = m->goal.count - m->listed;
+      break;
+    }
   }
   qsort(m->list, m->listed, sizeof *m->list, before);
   return PACKING_OK;

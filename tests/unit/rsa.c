@@ -368,6 +368,28 @@ static void sizes_that_cannot_be_placed_are_counted(void **state)
   packing_domain_destroy(domain);
 }
 
+/* Far more than fits is asked: it ends, in memory for what could fit. */
+static void absurd_counts_end(void **state)
+{
+  (void)state;
+  packing_domain *domain = test_box(6.3, 6.4, 6.5, 7);
+  packing_psd *psd = test_uniform(0.3, 0.9);
+  for (int order = 0; order < 2; order++) {
+    packing_particles *store = test_store(3);
+    packing_rsa_def def;
+    packing_rsa_def_init(&def);
+    def.count = SIZE_MAX;
+    def.max_failures = 1000;
+    def.order = (packing_order)order;
+    const packing_placer_report report = pack(&def, domain, psd, store);
+    assert_int_equal(report.state, PACKING_PLACER_GAVE_UP);
+    assert_true(report.placed > 20 && report.unplaced >= 1);
+    packing_particles_destroy(store);
+  }
+  packing_psd_destroy(psd);
+  packing_domain_destroy(domain);
+}
+
 static int by_value(const void *a, const void *b)
 {
   const double x = *(const double *)a, y = *(const double *)b;
@@ -553,6 +575,7 @@ int main(void)
       cmocka_unit_test(a_gap_of_one_diameter_ends),
       cmocka_unit_test(particles_that_stand_are_obstacles),
       cmocka_unit_test(sizes_that_cannot_be_placed_are_counted),
+      cmocka_unit_test(absurd_counts_end),
       cmocka_unit_test(orders_place_the_same_sizes),
       cmocka_unit_test(components_are_kept),
       cmocka_unit_test(refusals_name_the_field),
