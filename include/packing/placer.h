@@ -126,7 +126,8 @@ static inline void packing_rsa_def_init(packing_rsa_def *def)
  *  \param particles the store, of the domain's dimension; a component column is filled
  *  \param[out] placer the placer
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (volume_fraction: negative, or
- *          above what equal sizes reach in a periodic cell of that size; dimensions that differ);
+ *          above what equal sizes reach in a periodic cell; count: beyond that and the scatter of
+ *          a small cell; dimensions that differ);
  *          PACKING_ERR_GEOMETRY (the largest particle fits nowhere); PACKING_ERR_NOMEM;
  *          PACKING_ERR_ABI */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_rsa_create(

@@ -54,9 +54,9 @@ static packing_status check(packing_context *context, const packing_rsa_def *def
   return PACKING_OK;
 }
 
-/* Equal sizes in a periodic cell have a known limit: say so at once. It is that of large cells;
- * in one of N particles saturation scatters by less than sqrt(N) / 4, and a cell of one or two
- * may hold one more. */
+/* Equal sizes in a periodic cell have a known limit: a volume fraction above it is refused at
+ * once. A count may exceed it by the scatter of a small cell, sqrt(N) + 1: a cell of one or two
+ * can hold one more. */
 static packing_status check_limit(const packing_placer *placer,
                                   const packing_rsa_def *def)
 {
@@ -69,17 +69,18 @@ static packing_status check_limit(const packing_placer *placer,
   const double limit =
       dim == 2 ? PACKING_I_RSA_SATURATION_2D : PACKING_I_RSA_SATURATION_3D;
   const double ball = packing_i_ball_volume(dim, packing_psd_max_r(placer->psd));
-  const double by_count = (double)def->count * ball / placer->domain_volume;
-  /* Whichever limit comes first ends the run. */
-  double asked = def->volume_fraction;
-  if (asked == 0 || (by_count > 0 && by_count < asked))
-    asked = by_count;
-  const double saturated = limit * placer->domain_volume / ball;
-  if (asked * placer->domain_volume / ball <= saturated + sqrt(saturated) + 1)
+  const double saturated = limit * placer->domain_volume / ball,
+               count = (double)def->count;
+  const int counts = count > 0, fills = def->volume_fraction > 0;
+  /* Whichever comes first ends the run: one within reach is enough. */
+  if ((!counts && !fills) || (counts && count <= saturated + sqrt(saturated) + 1) ||
+      (fills && def->volume_fraction <= limit))
     return PACKING_OK;
+  const double asked =
+      fills ? def->volume_fraction : count * ball / placer->domain_volume;
   return packing_i_fail(
-      placer->context, PACKING_ERR_RANGE,
-      def->volume_fraction > 0 ? "volume_fraction" : "count", PACKING_NO_INDEX,
+      placer->context, PACKING_ERR_RANGE, fills ? "volume_fraction" : "count",
+      PACKING_NO_INDEX,
       "a volume fraction of %.4f is asked; random sequential addition of "
       "equal particles in a large periodic cell saturates at %.4f",
       asked, limit);

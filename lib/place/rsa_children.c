@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A ball covers a child when it holds the child's farthest corner. The parent's centre is a corner
- * of every child, so only balls that hold it can cover one: they are picked first, about one in
- * four. */
+ * of every child, so only balls that hold it can cover one: they are picked first. */
 #include "rsa_children.h"
 
 enum { CHILDREN = 8, ALL = 0xff };

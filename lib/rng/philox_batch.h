@@ -2,8 +2,8 @@
 #ifndef PACKING_PHILOX_BATCH_H
 #define PACKING_PHILOX_BATCH_H
 
-/* Philox4x32-10 of many counters at once: 5 of 25 ns a block with AVX-512. Every instruction set
- * gives the words of packing_i_philox(), bit for bit (tests/internal/rng.c). */
+/* Philox4x32-10 of many counters at once. Every instruction set gives the words of
+ * packing_i_philox(), bit for bit (tests/internal/rng.c). */
 
 #include "rng_internal.h"
 

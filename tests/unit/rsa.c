@@ -471,7 +471,7 @@ static void refusals_name_the_field(void **state)
                  "volume_fraction");
   }
   packing_rsa_def_init(&def);
-  def.volume_fraction = 0.43;
+  def.volume_fraction = 0.385;
   assert_fails(c, packing_rsa_create(c, &def, cell, psd, store, &p), PACKING_ERR_RANGE,
                "0.3841");
   packing_rsa_def_init(&def);
