@@ -105,6 +105,23 @@ const packing_i_planar *packing_i_domain_planar(const packing_domain *domain);
 /* The axis of a cylinder, tube, cone or silo (a packing_axis), else -1. */
 int packing_i_domain_axis(const packing_domain *domain);
 
+/* A wall near a point. */
+typedef struct packing_i_near_wall {
+  double distance;     /* of the point, positive inside */
+  packing_vec3 normal; /* unit, into the container */
+  int wall;            /* which of the container's walls, from 0 */
+} packing_i_near_wall;
+
+enum { PACKING_I_NEAR_WALLS = 6 };
+
+/* The walls whose distance from a point inside (or a little outside) is less than reach, each
+ * once, in the order of their numbers; returns how many. Every wall is taken as far as its
+ * surface goes on, which in the built-in containers makes a difference only outside. A custom
+ * container has one wall, the nearest. Thread-safe, constant time. */
+int packing_i_domain_near_walls(const packing_domain *domain, const packing_vec3 *point,
+                                double reach,
+                                packing_i_near_wall near[PACKING_I_NEAR_WALLS]);
+
 /* One component of a separation. The difference is exact for neighbours in a cell; on a tie
  * the shorter way round is the direct one. Odd: swapping the ends changes the sign alone. */
 static inline double packing_i_nearest_image(double difference, double period)
