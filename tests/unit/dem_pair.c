@@ -119,7 +119,7 @@ static void head_on_pair_repels(void **state)
   approach(&s, &common, &common, 0, 1, 1e-5);
   s.def.dt = 1e-6;
   dem_start(&s);
-  assert_close(receding(&s), -1, 1e-15);
+  assert_close(receding(&s), -1.0, 1e-15);
   dem_run_for(&s, 1e-3);
   assert_true(receding(&s) > 0.7);
   const dem_body a = dem_get(&s, 0), b = dem_get(&s, 1);
@@ -248,7 +248,7 @@ static void chung_ooi_1(void **state)
     assert_close(seen.overlap, cases[k].is.overlap, 1e-3);
     assert_close(seen.force, cases[k].is.force, 1e-3);
     assert_close(seen.time, cases[k].is.time, 1e-3);
-    assert_close(receding(&s), 20, 1e-4);
+    assert_close(receding(&s), 20.0, 1e-4);
     dem_scene_free(&s);
   }
 }
@@ -496,7 +496,7 @@ static void pull_is_an_option(void **state)
     if (pull)
       assert_true(receding(&s) < 1 - 1e-5);
     else
-      assert_close(receding(&s), 1, 1e-15);
+      assert_close(receding(&s), 1.0, 1e-15);
     dem_scene_free(&s);
   }
 }
@@ -567,7 +567,7 @@ static void near_field_ends_at_the_cutoff(void **state)
   const double field[5] = {3, 0, 0, 0, 0.5};
   assert_near(near_force(0.5, field), 0, 0);
   assert_near(near_force(0.75, field), 0, 0);
-  assert_close(near_force(nextafter(0.5, 0), field), -3, 1e-12);
+  assert_close(near_force(nextafter(0.5, 0), field), -3.0, 1e-12);
 }
 
 /* alpha_1 d^-2 and alpha_2 d^-4 cancel at d = sqrt(alpha_2 / alpha_1) = 1/2, where all numbers
