@@ -54,10 +54,10 @@ typedef struct packing_i_batch {
   double fx[PACKING_I_ROOM];
   double fy[PACKING_I_ROOM];
   double fz[PACKING_I_ROOM];
+  uint32_t pair[PACKING_I_ROOM]; /* of materials */
   uint32_t i[PACKING_I_ROOM];
   uint32_t j[PACKING_I_ROOM];
   uint32_t slot[PACKING_I_ROOM]; /* entry in the list */
-  uint32_t pair[PACKING_I_ROOM]; /* of materials */
   size_t count;
 } packing_i_batch;
 
