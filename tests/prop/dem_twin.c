@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stepper against a twin: the paper's equations said plainly, all pairs, one by one. Both add
  * the same forces in different orders, so they part by rounding only, which collisions amplify;
- * runs are short enough for 1e-9 of a radius. */
+ * runs are short enough for 1e-11 of a radius. */
 #include "dem_scenes.h"
+
+/* The slip velocity is so large that friction, taken at the old velocities, does not overshoot in
+ * the hardest collision (3.5 mu normal dt / m stays below it): else sticking contacts chatter, and
+ * rounding doubles with every step. */
 
 enum { MOST = 700, MATERIALS = 2 };
 
@@ -83,9 +87,12 @@ static packing_vec3 contact(const model *m, const dem_body *i, const dem_body *j
   return plus(dem_vec(n.x * -normal, n.y * -normal, n.z * -normal), rub, u);
 }
 
+/* Of the nearest image, for particles that stay within a cell of each other. */
 static double image(double d, double size, int periodic)
 {
-  return periodic ? d - size * round(d / size) : d;
+  if (!periodic)
+    return d;
+  return d > size / 2 ? d - size : d < -size / 2 ? d + size : d;
 }
 
 static void add_pair(const model *m, const dem_body *b, size_t i, size_t j,
@@ -174,7 +181,7 @@ static model common(int dim, unsigned periodic)
                    .damping = {0.1, 0.3},
                    .friction = {0.2, 0.6},
                    .walls_of = -1,
-                   .slip = 0.01,
+                   .slip = 0.5,
                    .dt = 1e-5};
   return m;
 }
@@ -238,7 +245,7 @@ static void compare(const model *m, double fraction, double speed, int steps)
     report = dem_run(&s, (uint64_t)(steps / 10));
     touches += report.contacts;
     wall_touches += report.wall_contacts;
-    assert_near(parted(&s, twin, count), 0, 1e-9);
+    assert_near(parted(&s, twin, count), 0, 1e-11);
   }
   assert_true(touches > 100 && report.rebuilds > 1); /* or it shows little */
   assert_true((wall_touches > 0) == (m->periodic != (m->dim == 2 ? 3U : 7U)));
@@ -304,7 +311,7 @@ static void periodic_2d(void **state)
 {
   (void)state;
   const model m = common(2, 3);
-  compare(&m, 0.5, 2, 600);
+  compare(&m, 0.5, 4, 600);
 }
 
 static void walls_2d(void **state)
@@ -315,7 +322,7 @@ static void walls_2d(void **state)
   m.disc_mass = 1;
   m.density[0] = 15;
   m.density[1] = 40;
-  compare(&m, 0.5, 2, 600);
+  compare(&m, 0.5, 4, 600);
 }
 
 static void near_field_2d(void **state)
@@ -325,7 +332,7 @@ static void near_field_2d(void **state)
   m.attraction = 0.02;
   m.repulsion = 0.0004;
   m.cutoff = 0.07;
-  compare(&m, 0.5, 2, 600);
+  compare(&m, 0.5, 4, 600);
 }
 
 int main(void)

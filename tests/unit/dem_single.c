@@ -47,7 +47,7 @@ static void rest_on_the_floor(void **state)
                  1e-11);
     assert_int_equal(report.wall_contacts, 1);
     assert_int_equal(report.contacts, 0);
-    assert_true(report.max_speed < 1e-15);
+    assert_true(report.max_speed < 1e-12); /* an ulp of z in a step: 1.7e-13 */
     dem_scene_free(&s);
   }
 }
@@ -66,14 +66,11 @@ static void paper_step_comes_to_rest(void **state)
   s.def.gravity.z = -2;
   s.def.dt = 1e-4;
   dem_start(&s);
-  double before = dem_run(&s, 20).kinetic_energy;
-  assert_true(before > 0);
-  for (int k = 0; k < 5; k++) {
-    const double now = dem_run(&s, 200).kinetic_energy;
-    assert_true(now < 1e-3 * before || now < 1e-40);
-    before = now;
-  }
-  dem_run(&s, 50000);
+  const double start = dem_run(&s, 20).kinetic_energy;
+  assert_true(start > 0);
+  assert_true(dem_run(&s, 1000).kinetic_energy < 1e-12 * start);
+  /* An ulp of z in a step is 1.7e-14 m/s; that squared times the mass is 1e-30. */
+  assert_true(dem_run(&s, 50000).kinetic_energy < 1e-28);
   assert_close(radius - dem_get(&s, 0).x.z, 7.026959166e-7, 1e-9);
   dem_scene_free(&s);
 }
@@ -387,7 +384,7 @@ static void fluid_time_goes_on(void **state)
 static void bounces(void **state)
 {
   (void)state;
-  const double young = 1e12, xi = 0.1, g = 9.81, height = 0.45;
+  const double young = 1e13, xi = 0.1, g = 9.81, height = 0.45;
   const double e = packing_hertz_restitution(xi, 0);
   dem_scene s;
   floor_scene(&s, young, xi, 0);
@@ -397,19 +394,19 @@ static void bounces(void **state)
   for (int k = 1; k <= 3; k++) {
     dem_body now = dem_get(&s, 0);
     const double drop = now.x.z - radius, v = sqrt(2 * g * drop);
-    s.def.dt = 2e-6;
+    s.def.dt = 6e-7;
     dem_start(&s);
-    dem_run_for(&s, sqrt(2 * (drop - 2e-5) / g) - 3 * s.def.dt);
+    dem_run_for(&s, sqrt(2 * (drop - 1e-5) / g) - 3 * s.def.dt);
     assert_true(dem_get(&s, 0).x.z > radius);
     s.def.dt = dem_collision_time(dem_mass(density, radius), radius,
                                   dem_rigid_young(young, poisson), v) /
-               8000;
+               20000;
     dem_start(&s);
     do {
       dem_run(&s, 100);
       now = dem_get(&s, 0);
     } while (now.v.z < 0 || now.x.z < radius);
-    s.def.dt = 2e-6;
+    s.def.dt = 6e-7;
     dem_start(&s);
     dem_run_for(&s, now.v.z / g);
     assert_close(dem_get(&s, 0).x.z - radius, height * pow(e, 2 * k), 1e-4);
@@ -457,7 +454,7 @@ static void frictionless_pyramid(void **state)
   assert_close((dem_get(&s, 3).x.z - 10) / radius, 1.630653853, 1e-9);
   assert_close(report.max_overlap, 1.909581e-3, 1e-6);
   assert_true(report.contacts >= 3);
-  assert_near(dem_get(&s, 3).v.z, 0, 1e-12);
+  assert_near(dem_get(&s, 3).v.z, 0, 1e-9); /* an ulp of z in a step: 1.8e-10 */
   dem_scene_free(&s);
 }
 
