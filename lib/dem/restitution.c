@@ -57,7 +57,8 @@ static double zeta_of(double wanted)
   double low = wanted / PI * (1 - 4 * DBL_EPSILON);
   double high = (wanted <= 2 ? wanted / 2 : exp(wanted / 2)) * (1 + 4 * DBL_EPSILON);
   for (;;) {
-    const double middle = high > 2 * low ? sqrt(low * high) : low + (high - low) / 2;
+    const double middle =
+        high > 2 * low ? sqrt(low) * sqrt(high) : low + (high - low) / 2;
     if (!(low < middle && middle < high))
       return high;
     if (decay(middle) < wanted)
