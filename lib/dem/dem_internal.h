@@ -12,7 +12,7 @@ enum {
   PACKING_I_LAWS = 16,      /* of a stepper */
   PACKING_I_HISTORY = 16,   /* doubles of a law */
   PACKING_I_MATERIALS = 64, /* of a table */
-  PACKING_I_BATCH = 256     /* pairs of a batch, a multiple of 8 */
+  PACKING_I_BATCH = 128     /* pairs of a batch, a multiple of 8 */
 };
 
 /* One kind of law. */
