@@ -15,7 +15,7 @@
  *   like 1 / (4 zeta^2) in the end.
  *
  * The inverse: closed for the force that pulls; for the other a bisection of what stands in the
- * exponent, which rises with zeta. Some ten microseconds at most. */
+ * exponent, which rises with zeta. Some microseconds. */
 #include <float.h>
 #include <math.h>
 #include <packing/dem.h>
