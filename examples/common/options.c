@@ -32,35 +32,35 @@ static const struct argp_option table[] = {
     {"domain", KEY_DOMAIN, "SPEC", 0, "the container", 1},
     {"psd", KEY_PSD, "SPEC", 0, "the particle sizes", 1},
     {"density", KEY_DENSITY, "RHO", 0, "density of the particles (default 1000)", 1},
-    {NULL, 0, NULL, 0, "Randomness and machine:", 4},
-    {"seed", KEY_SEED, "N", 0, "64-bit seed (default 1)", 4},
-    {"stream", KEY_STREAM, "N", 0, "which pack of that seed (default 0)", 4},
-    {"threads", KEY_THREADS, "N", 0, "threads (default all cores)", 4},
+    {NULL, 0, NULL, 0, "Randomness and machine:", 6},
+    {"seed", KEY_SEED, "N", 0, "64-bit seed (default 1)", 6},
+    {"stream", KEY_STREAM, "N", 0, "which pack of that seed (default 0)", 6},
+    {"threads", KEY_THREADS, "N", 0, "threads (default all cores)", 6},
     {"isa", KEY_ISA, "NAME", 0,
      "instruction set: auto (default), baseline, avx2, avx512. Neither this nor the "
      "number "
      "of threads changes the pack",
-     4},
-    {NULL, 0, NULL, 0, "Results:", 5},
+     6},
+    {NULL, 0, NULL, 0, "Results:", 7},
     {"out", KEY_OUT, "[FORMAT:]FILE", 0,
      "write the pack; may be repeated. Formats: csv vtp lammps liggghts yade xyz png "
      "svg; "
      "without FORMAT by extension: .csv .vtp .data .xyz .png .svg",
-     5},
+     7},
     {"plot-sizes", KEY_PLOT_SIZES, "FILE", 0,
-     "plot the size curves asked and placed (.png or .svg)", 5},
+     "plot the size curves asked and placed (.png or .svg)", 7},
     {"colour", KEY_COLOUR, "WHAT", 0,
-     "what colours show in pictures of the pack: radius (default), component, height", 5},
-    {"color", KEY_COLOUR, "WHAT", OPTION_ALIAS | OPTION_HIDDEN, NULL, 5},
+     "what colours show in pictures of the pack: radius (default), component, height", 7},
+    {"color", KEY_COLOUR, "WHAT", OPTION_ALIAS | OPTION_HIDDEN, NULL, 7},
     {"report", KEY_REPORT, "FILE", 0,
      "write the JSON report there (default: standard "
      "output)",
-     5},
+     7},
     {"max-overlap", KEY_MAX_OVERLAP, "X", 0,
      "the audit fails above this overlap or protrusion, relative to the smaller radius "
      "(default 1e-9, after settling 0.01)",
-     5},
-    {"quiet", KEY_QUIET, NULL, 0, "no progress bar and no remarks", 5},
+     7},
+    {"quiet", KEY_QUIET, NULL, 0, "no progress bar and no remarks", 7},
     {NULL, 0, NULL, 0, NULL, 0},
 };
 
