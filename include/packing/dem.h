@@ -93,10 +93,11 @@ PACKING_API PACKING_WARN_UNUSED packing_status packing_materials_set_pair(
  *  Cassares, equation 10. It does not depend on speed, sizes or stiffness: with
  *  zeta = xi sqrt(6/5) and s = sqrt(1 - zeta^2), exp(-pi zeta / s) where the pull at
  *  separation is kept, exp(-(zeta / s) (pi - atan2(2 zeta s, 1 - 2 zeta^2))) where it is cut
- *  off (Antypov and Elliott, EPL 94, 50004, 2011).
+ *  off (Antypov and Elliott, EPL 94, 50004, 2011); from critical damping, zeta = 1, on the one
+ *  is 0, the other exp(-2 zeta acosh(zeta) / sqrt(zeta^2 - 1)), which begins at exp(-2).
  *  \param damping damping rate xi, >= 0 [1]
- *  \param pull 1: the force may pull; 0: it is cut off at 0
- *  \return in [0, 1]; with pull 0 from critical damping on; NaN for a bad damping. Thread-safe */
+ *  \param pull not 0: the force may pull; 0: it is cut off at 0
+ *  \return in [0, 1]; NaN for a bad damping. Thread-safe */
 PACKING_API double packing_hertz_restitution(double damping, int pull);
 
 /** The damping rate that gives a restitution: the inverse of packing_hertz_restitution().

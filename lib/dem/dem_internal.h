@@ -12,7 +12,7 @@ enum {
   PACKING_I_LAWS = 16,      /* of a stepper */
   PACKING_I_HISTORY = 16,   /* doubles of a law */
   PACKING_I_MATERIALS = 64, /* of a table */
-  PACKING_I_BATCH = 256     /* pairs of a batch, a multiple of 8 */
+  PACKING_I_BATCH = 128     /* pairs of a batch, a multiple of 8 */
 };
 
 /* One kind of law. */
@@ -45,6 +45,10 @@ struct packing_law {
 /* A law of a kind with nothing in it; `user` points to the law. */
 packing_status packing_i_law_create(packing_context *context,
                                     const packing_i_law_ops *ops, packing_law **law);
+
+/* Refuses NULL for an argument. */
+packing_status packing_i_law_check_given(packing_context *context, const char *field,
+                                         const void *pointer);
 
 /* One more hold. */
 packing_law *packing_i_law_retain(packing_law *law);

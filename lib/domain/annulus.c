@@ -7,6 +7,7 @@ static const packing_i_domain_ops annulus_ops = {
     .name = "annulus",
     .reference = "two radii; cut by lenses",
     .signed_distance = packing_i_round_signed_distance,
+    .near_walls = packing_i_round_near_walls,
     .inset = packing_i_round_inset,
     .sphere_volume = packing_i_round_sphere_volume,
 };

@@ -9,6 +9,7 @@ static const packing_i_domain_ops box_ops = {
         "axis-aligned planes; cut volumes by the divergence theorem and Gauss-Bonnet",
     .signed_distance = packing_i_planar_signed_distance,
     .holds = packing_i_planar_holds,
+    .near_walls = packing_i_planar_near_walls,
     .inset = packing_i_planar_inset,
     .sphere_volume = packing_i_planar_sphere_volume,
 };

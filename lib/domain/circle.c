@@ -6,6 +6,7 @@ static const packing_i_domain_ops circle_ops = {
     .name = "circle",
     .reference = "one radius; cut by lenses",
     .signed_distance = packing_i_round_signed_distance,
+    .near_walls = packing_i_round_near_walls,
     .inset = packing_i_round_inset,
     .sphere_volume = packing_i_round_sphere_volume,
 };

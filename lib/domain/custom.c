@@ -18,6 +18,17 @@ static double signed_distance(const packing_i_domain_body *body,
   return c->signed_distance(c->user, &p, normal) - c->inset;
 }
 
+static int near_walls(const packing_i_domain_body *body, const packing_vec3 *point,
+                      double reach, packing_i_near_wall near[PACKING_I_NEAR_WALLS])
+{
+  packing_i_near_wall nearest = {.wall = 0};
+  nearest.distance = signed_distance(body, point, &nearest.normal);
+  if (!(nearest.distance < reach))
+    return 0;
+  near[0] = nearest;
+  return 1;
+}
+
 /* The volume to the tolerance of the definition. */
 static packing_status compute_volume(packing_context *context,
                                      packing_i_domain_body *body)
@@ -82,6 +93,7 @@ static const packing_i_domain_ops custom_ops = {
     .name = "custom",
     .reference = "the user's distance; volumes by subdivision",
     .signed_distance = signed_distance,
+    .near_walls = near_walls,
     .inset = inset,
     .sphere_volume = sphere_volume,
     .inherit = inherit,

@@ -7,6 +7,7 @@ static const packing_i_domain_ops cylinder_ops = {
     .reference = "convex profile; cut volumes by slices (lenses of two discs)",
     .signed_distance = packing_i_revolution_signed_distance,
     .holds = packing_i_revolution_holds,
+    .near_walls = packing_i_revolution_near_walls,
     .inset = packing_i_revolution_inset,
     .sphere_volume = packing_i_revolution_sphere_volume,
 };

@@ -13,6 +13,15 @@
 
 typedef struct packing_i_domain_body packing_i_domain_body;
 
+/* A wall near a point. */
+typedef struct packing_i_near_wall {
+  double distance;     /* of the point, positive inside */
+  packing_vec3 normal; /* unit, into the container */
+  int wall;            /* which of the container's walls, from 0 */
+} packing_i_near_wall;
+
+enum { PACKING_I_NEAR_WALLS = 6 };
+
 /* One kind of container. */
 typedef struct packing_i_domain_ops {
   const char *name;
@@ -21,6 +30,9 @@ typedef struct packing_i_domain_ops {
                             packing_vec3 *normal); /* `normal` may be NULL */
   /* signed_distance >= r, the cheap way; NULL: no cheaper way. */
   int (*holds)(const packing_i_domain_body *body, const packing_vec3 *centre, double r);
+  /* packing_i_domain_near_walls(). */
+  int (*near_walls)(const packing_i_domain_body *body, const packing_vec3 *point,
+                    double reach, packing_i_near_wall near[PACKING_I_NEAR_WALLS]);
   /* Moves every wall of *body inwards by d > 0 and corrects bounds and volume; a volume of 0
    * says that nothing is left. */
   packing_status (*inset)(packing_context *context, packing_i_domain_body *body,
@@ -105,22 +117,23 @@ const packing_i_planar *packing_i_domain_planar(const packing_domain *domain);
 /* The axis of a cylinder, tube, cone or silo (a packing_axis), else -1. */
 int packing_i_domain_axis(const packing_domain *domain);
 
-/* A wall near a point. */
-typedef struct packing_i_near_wall {
-  double distance;     /* of the point, positive inside */
-  packing_vec3 normal; /* unit, into the container */
-  int wall;            /* which of the container's walls, from 0 */
-} packing_i_near_wall;
-
-enum { PACKING_I_NEAR_WALLS = 6 };
-
 /* The walls whose distance from a point inside (or a little outside) is less than reach, each
  * once, in the order of their numbers; returns how many. Every wall is taken as far as its
- * surface goes on, which in the built-in containers makes a difference only outside. A custom
- * container has one wall, the nearest. Thread-safe, constant time. */
-int packing_i_domain_near_walls(const packing_domain *domain, const packing_vec3 *point,
-                                double reach,
-                                packing_i_near_wall near[PACKING_I_NEAR_WALLS]);
+ * surface goes on, which in the built-in containers makes a difference only outside: there the
+ * distance is negative and the normal still shows into the container.
+ *
+ * The numbers: of box and rectangle 2 k for the low and 2 k + 1 for the high side of axis k; of
+ * cylinder, tube, cone and silo those of packing_i_revolution.wall; of sphere, circle and
+ * annulus 0 for the outer and 1 for the inner wall; a custom container has one wall, the nearest,
+ * 0. A number stays that of its wall wherever the point is. On the axis or in the centre of a
+ * round wall, which is equally near all around, one direction stands for all. Thread-safe,
+ * constant time. */
+static inline int
+packing_i_domain_near_walls(const packing_domain *domain, const packing_vec3 *point,
+                            double reach, packing_i_near_wall near[PACKING_I_NEAR_WALLS])
+{
+  return domain->body.ops->near_walls(&domain->body, point, reach, near);
+}
 
 /* One component of a separation. The difference is exact for neighbours in a cell; on a tie
  * the shorter way round is the direct one. Odd: swapping the ends changes the sign alone. */

@@ -49,6 +49,9 @@ double packing_i_planar_signed_distance(const packing_i_domain_body *body,
                                         const packing_vec3 *point, packing_vec3 *normal);
 int packing_i_planar_holds(const packing_i_domain_body *body, const packing_vec3 *centre,
                            double r);
+int packing_i_planar_near_walls(const packing_i_domain_body *body,
+                                const packing_vec3 *point, double reach,
+                                packing_i_near_wall near[PACKING_I_NEAR_WALLS]);
 packing_status packing_i_planar_inset(packing_context *context,
                                       packing_i_domain_body *body, double d);
 int packing_i_planar_sphere_volume(const packing_i_domain_body *body,
@@ -86,6 +89,9 @@ double packing_i_revolution_signed_distance(const packing_i_domain_body *body,
                                             packing_vec3 *normal);
 int packing_i_revolution_holds(const packing_i_domain_body *body,
                                const packing_vec3 *centre, double r);
+int packing_i_revolution_near_walls(const packing_i_domain_body *body,
+                                    const packing_vec3 *point, double reach,
+                                    packing_i_near_wall near[PACKING_I_NEAR_WALLS]);
 packing_status packing_i_revolution_inset(packing_context *context,
                                           packing_i_domain_body *body, double d);
 int packing_i_revolution_sphere_volume(const packing_i_domain_body *body,
@@ -107,6 +113,9 @@ packing_status packing_i_round_create(packing_context *context,
                                       packing_domain **domain);
 double packing_i_round_signed_distance(const packing_i_domain_body *body,
                                        const packing_vec3 *point, packing_vec3 *normal);
+int packing_i_round_near_walls(const packing_i_domain_body *body,
+                               const packing_vec3 *point, double reach,
+                               packing_i_near_wall near[PACKING_I_NEAR_WALLS]);
 packing_status packing_i_round_inset(packing_context *context,
                                      packing_i_domain_body *body, double d);
 int packing_i_round_sphere_volume(const packing_i_domain_body *body,

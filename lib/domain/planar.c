@@ -134,6 +134,25 @@ int packing_i_planar_holds(const packing_i_domain_body *body, const packing_vec3
          centre->z - p->wall_lo[2] >= r && p->wall_hi[2] - centre->z >= r;
 }
 
+int packing_i_planar_near_walls(const packing_i_domain_body *body,
+                                const packing_vec3 *point, double reach,
+                                packing_i_near_wall near[PACKING_I_NEAR_WALLS])
+{
+  const packing_i_planar *p = &body->as.planar;
+  const double x[3] = {point->x, point->y, point->z};
+  int count = 0;
+  for (int k = 0; k < 3; k++) {
+    const double distance[2] = {x[k] - p->wall_lo[k], p->wall_hi[k] - x[k]};
+    for (int side = 0; side < 2; side++)
+      if (distance[side] < reach) {
+        packing_i_near_wall *wall = &near[count++];
+        *wall = (packing_i_near_wall){.distance = distance[side], .wall = 2 * k + side};
+        packing_i_set_component(&wall->normal, k, side == 0 ? 1 : -1);
+      }
+  }
+  return count;
+}
+
 packing_status packing_i_planar_inset(packing_context *context,
                                       packing_i_domain_body *body, double d)
 {

@@ -8,6 +8,7 @@ static const packing_i_domain_ops rectangle_ops = {
     .reference = "axis-aligned lines; cut areas by the divergence theorem",
     .signed_distance = packing_i_planar_signed_distance,
     .holds = packing_i_planar_holds,
+    .near_walls = packing_i_planar_near_walls,
     .inset = packing_i_planar_inset,
     .sphere_volume = packing_i_planar_sphere_volume,
 };

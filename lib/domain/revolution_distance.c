@@ -96,6 +96,27 @@ double packing_i_revolution_signed_distance(const packing_i_domain_body *body,
   return distance;
 }
 
+int packing_i_revolution_near_walls(const packing_i_domain_body *body,
+                                    const packing_vec3 *point, double reach,
+                                    packing_i_near_wall near[PACKING_I_NEAR_WALLS])
+{
+  const packing_i_revolution *p = &body->as.revolution;
+  packing_vec3 radial;
+  double rho, h;
+  int count = 0;
+  packing_i_revolution_local(p, point, &rho, &h, &radial);
+  for (int i = 0; i < p->walls; i++) {
+    const packing_i_wall *w = &p->wall[i];
+    const double distance = to_line(w, rho, h);
+    if (distance < reach) {
+      packing_vec3 normal = packing_i_scale(radial, w->a);
+      packing_i_set_component(&normal, p->axis, w->b);
+      near[count++] = (packing_i_near_wall){distance, normal, i};
+    }
+  }
+  return count;
+}
+
 int packing_i_revolution_holds(const packing_i_domain_body *body,
                                const packing_vec3 *centre, double r)
 {

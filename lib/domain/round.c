@@ -57,6 +57,21 @@ double packing_i_round_signed_distance(const packing_i_domain_body *body,
   return outer <= inner ? outer : inner;
 }
 
+int packing_i_round_near_walls(const packing_i_domain_body *body,
+                               const packing_vec3 *point, double reach,
+                               packing_i_near_wall near[PACKING_I_NEAR_WALLS])
+{
+  const packing_i_round *s = &body->as.round;
+  packing_vec3 radial;
+  const double rho = radius_of(body, point, &radial);
+  int count = 0;
+  if (s->outer - rho < reach)
+    near[count++] = (packing_i_near_wall){s->outer - rho, packing_i_scale(radial, -1), 0};
+  if (s->inner > 0 && rho - s->inner < reach)
+    near[count++] = (packing_i_near_wall){rho - s->inner, radial, 1};
+  return count;
+}
+
 packing_status packing_i_round_inset(packing_context *context,
                                      packing_i_domain_body *body, double d)
 {

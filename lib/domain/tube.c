@@ -8,6 +8,7 @@ static const packing_i_domain_ops tube_ops = {
     .reference = "convex profile; cut volumes by slices (differences of lenses)",
     .signed_distance = packing_i_revolution_signed_distance,
     .holds = packing_i_revolution_holds,
+    .near_walls = packing_i_revolution_near_walls,
     .inset = packing_i_revolution_inset,
     .sphere_volume = packing_i_revolution_sphere_volume,
 };

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Steps: forces, motion, and a new list when particles have moved half a skin. */
+#include "stepper_internal.h"
+
+static double max_speed2(const packing_dem *dem)
+{
+  double most = 0;
+  for (size_t p = 0; p < dem->count; p++) {
+    const double *v = dem->motion + PACKING_I_MOTION * p;
+    const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    most = v2 > most ? v2 : most;
+  }
+  return most;
+}
+
+/* The skin lasts some twenty steps at the largest speed there is; thin where all rests, so that
+ * few pairs are listed in vain, and never so thick that the list is mostly that. */
+static double choose_skin(const packing_dem *dem)
+{
+  const double least = 0.05 * dem->r_min, most = 0.4 * 0.5 * (dem->r_min + dem->r_max);
+  const double wanted = 40 * dem->dt * sqrt(max_speed2(dem));
+  return wanted < least ? least : wanted < most ? wanted : most;
+}
+
+static void wrap(packing_dem *dem)
+{
+  if (!dem->images.any)
+    return;
+  for (size_t p = 0; p < dem->count; p++) {
+    double *x = dem->position + PACKING_I_POSITION * p;
+    packing_vec3 at = packing_i_vec(x[0], x[1], x[2]);
+    packing_domain_wrap(dem->domain, &at);
+    x[0] = at.x;
+    x[1] = at.y;
+    x[2] = at.z;
+  }
+}
+
+packing_status packing_i_dem_rebuild(packing_dem *dem)
+{
+  if (dem->count == 0) {
+    dem->cut.slabs = 0;
+    return PACKING_OK;
+  }
+  wrap(dem);
+  dem->skin = choose_skin(dem);
+  PACKING_I_TRY(packing_i_dem_sort(dem));
+  PACKING_I_TRY(packing_i_dem_list(dem));
+  dem->rebuilds++;
+  return PACKING_OK;
+}
+
+static double displaced2(const packing_dem *dem)
+{
+  double most = 0;
+  for (int s = 0; s < dem->cut.slabs; s++)
+    most = dem->slab[s].displaced2 > most ? dem->slab[s].displaced2 : most;
+  return most;
+}
+
+/* Says which particle has left the numbers. */
+static packing_status blown_up(packing_dem *dem)
+{
+  size_t least = SIZE_MAX;
+  for (size_t p = 0; p < dem->count; p++) {
+    int fine = 1;
+    for (int k = 0; k < 3; k++)
+      fine &= isfinite(dem->position[PACKING_I_POSITION * p + (size_t)k]) &&
+              isfinite(dem->motion[PACKING_I_MOTION * p + (size_t)k]);
+    if (!fine && dem->id[p] < least)
+      least = dem->id[p];
+  }
+  dem->loaded = 0;
+  return packing_i_fail(dem->context, PACKING_ERR_UNSTABLE, "particles", least,
+                        "particle %zu is no longer finite after step %llu", least,
+                        (unsigned long long)dem->steps);
+}
+
+static packing_status one_step(packing_dem *dem, int tally)
+{
+  packing_i_dem_forces(dem, tally);
+  packing_i_dem_integrate(dem);
+  dem->steps++;
+  const double way2 = displaced2(dem), reach = 0.5 * dem->skin;
+  if (way2 < reach * reach)
+    return PACKING_OK;
+  if (!(way2 < HUGE_VAL))
+    return blown_up(dem);
+  return packing_i_dem_rebuild(dem);
+}
+
+static double energy_and_weight(const packing_dem *dem, double *weight)
+{
+  const double j = dem->dim == 2 && dem->def.disc_mass ? 0.5 : 0.4;
+  const double g = packing_i_norm(dem->def.gravity);
+  double energy = 0;
+  *weight = 0;
+  for (size_t p = 0; p < dem->count; p++) {
+    const double *v = dem->motion + PACKING_I_MOTION * p;
+    const double r = dem->position[PACKING_I_POSITION * p + 3];
+    const double motion2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const double spin2 = v[4] * v[4] + v[5] * v[5] + v[6] * v[6];
+    energy += 0.5 * v[3] * (motion2 + j * r * r * spin2);
+    *weight += v[3] * g * r;
+  }
+  return energy;
+}
+
+static void fill_report(const packing_dem *dem, packing_dem_report *report)
+{
+  double weight;
+  packing_dem_report_init(report);
+  report->steps = dem->steps;
+  report->time = (double)dem->steps * dem->dt;
+  report->dt = dem->dt;
+  report->particles = dem->count;
+  report->kinetic_energy = energy_and_weight(dem, &weight);
+  report->kinetic_per_mgr = weight > 0 ? report->kinetic_energy / weight : (double)NAN;
+  report->max_speed = sqrt(max_speed2(dem));
+  report->rebuilds = dem->rebuilds;
+  for (int s = 0; s < dem->cut.slabs; s++) {
+    const packing_i_slab *slab = &dem->slab[s];
+    report->contacts += slab->contacts;
+    report->wall_contacts += slab->wall_contacts;
+    report->max_overlap = fmax(report->max_overlap, slab->max_overlap);
+  }
+}
+
+packing_status packing_dem_step(packing_dem *dem, uint64_t steps,
+                                packing_dem_report *report)
+{
+  packing_dem_report filled;
+  if (dem == NULL)
+    return PACKING_ERR_INVALID;
+  packing_dem_report_init(&filled);
+  if (steps == 0)
+    return packing_i_fail(dem->context, PACKING_ERR_RANGE, "steps", PACKING_NO_INDEX,
+                          "0 must be at least 1");
+  if (report != NULL && report->struct_size < sizeof report->struct_size)
+    return packing_i_report_write(dem->context, report, &filled, sizeof filled);
+  if (!dem->loaded || dem->particles->count != dem->count)
+    return packing_i_fail(dem->context, PACKING_ERR_INVALID, "particles",
+                          PACKING_NO_INDEX,
+                          "the store has changed or a call failed: reload the stepper");
+  dem->loaded = 0; /* until all steps are made */
+  for (uint64_t s = 1; s <= steps; s++)
+    PACKING_I_TRY(one_step(dem, s == steps));
+  dem->loaded = 1;
+  packing_i_dem_save(dem);
+  if (report == NULL)
+    return PACKING_OK;
+  fill_report(dem, &filled);
+  return packing_i_report_write(dem->context, report, &filled, sizeof filled);
+}
