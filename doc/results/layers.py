@@ -23,7 +23,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.path.insert(0, str(HERE))
-from making import parts, runs, text  # noqa: E402
+from making import parts, runs, stats, text  # noqa: E402
 
 
 def read_options():
@@ -61,25 +61,27 @@ def machine():
             f"{system.group(1) if system else 'an unknown system'}")
 
 
-def default_slip(store, groups):
-    """The program's regularising velocity, from the report of a table's pack."""
-    for run in parts.runs_of(groups):
-        if store.have(run):
-            return float(store.report(run)["options"]["slip_velocity"])
-    return None
+def default_slip(store, groups, make):
+    """The program's regularising velocity by example, from the report of a table's pack; None
+    where there is no such pack and none shall be made."""
+    found = {}
+    for example in parts.SLIP_EXAMPLES:
+        run = groups[example, "on"][0]
+        if make:
+            store.make([run], 1)
+        if not store.have(run):
+            return None
+        found[example] = float(store.report(run)["options"]["slip_velocity"])
+    return found
 
 
 def plan_groups(plan, store, wanted):
     """Groups of each part. The slip part needs a pack of the tables first."""
     groups = {name: getattr(plan, name)() for name in parts.ORDER
               if name not in parts.SEES and name != "slip"}
-    slip = default_slip(store, groups["tables"])
-    if slip is None and "slip" in wanted:
-        print("slip: one pack first, to learn the default", file=sys.stderr)
-        store.make([groups["tables"]["5.1", "on"][0]], 1)
-        slip = default_slip(store, groups["tables"])
-    if slip is not None or not wanted:  # an estimate does without the number
-        groups["slip"] = plan.slip(slip or 1.0)
+    slip = default_slip(store, groups["tables"], "slip" in wanted)
+    if slip is not None or not wanted:  # an estimate does without the numbers
+        groups["slip"] = plan.slip(slip or dict.fromkeys(parts.SLIP_EXAMPLES, 1.0))
     for name, of in parts.SEES.items():
         groups[name] = groups[of]
     return groups, slip
@@ -129,11 +131,18 @@ sequential addition, jammed by a discrete-element simulation; the method is in
 comes from `layers-notes.md`.
 
 Machine: {machine()}. Date: {datetime.date.today()}. Source: {version} ({program}). Each pack is one
-process of one thread, {arguments.processes} side by side; pack k has `--seed k`. Unless said:
-`packing-layers --example E --rotations on|off --layer-end time --full bed`, 1.0 s a layer as in the
-paper. Deviations (sd) are with n - 1, cv = sd / mean. Density is the volume fraction below the asked
+process of one thread, {arguments.processes} side by side; pack k has `--seed 1 --stream k-1`, so that
+`--packs 10` makes the same ten. Unless said: `packing-layers --example E --rotations on|off
+--layer-end time --full bed`, 1.0 s a layer as in the paper. Deviations (sd) are with n - 1, cv = sd / mean. Density is the volume fraction below the asked
 height, particles cut there counted in part (equation 22).
 """
+
+
+def cost_row(store, made, records):
+    unique = {run.options: run for run in made}.values()
+    rates = [store.report(run)["layers"]["particle_steps_per_second"] or 0 for run in unique]
+    return [str(len(records)), f"{runs.process_seconds(records.values()):.0f}",
+            f"{runs.wall_seconds(records.values()):.0f}", f"{stats.mean(rates):.3g}"]
 
 
 def cost(store, groups):
@@ -144,14 +153,13 @@ def cost(store, groups):
             continue
         records = {run.options: store.record(run) for run in made}
         every.update(records)
-        rows.append([name, str(len(records)), f"{runs.process_seconds(records.values()):.0f}",
-                     f"{runs.wall_seconds(records.values()):.0f}"])
-    rows.append(["all, each pack once", str(len(every)),
-                 f"{runs.process_seconds(every.values()):.0f}",
-                 f"{runs.wall_seconds(every.values()):.0f}"])
+        rows.append([name] + cost_row(store, made, records))
+    made = [run for name in groups for run in parts.runs_of(groups[name]) if store.have(run)]
+    rows.append(["all, each pack once"] + cost_row(store, made, every))
     return ("A pack that serves several parts counts in each; wall time is that during which a "
             "pack of the part was being made.\n\n" +
-            text.table(["part", "packs", "process time [s]", "wall time [s]"], rows))
+            text.table(["part", "packs", "process time [s]", "wall time [s]",
+                        "mean particle-steps/s of a process"], rows))
 
 
 def write(store, groups, slip, arguments):
@@ -160,8 +168,8 @@ def write(store, groups, slip, arguments):
     images = store.work / "images" if arguments.quick else ROOT / "doc" / "images"
     images.mkdir(parents=True, exist_ok=True)
     results, notes, sections = text.Results(store, images), read_notes(), []
-    if slip is not None:
-        results.values["slip.default"] = f"{slip:g}"
+    for example, velocity in (slip or {}).items():
+        results.values[f"slip.default.{example}"] = f"{velocity:.3g}"
     for name in parts.ORDER:
         title, writer = text.SECTIONS[name]
         of = groups.get(name)

@@ -10,6 +10,8 @@ FRICTIONS = (0.0, .05, .1, .2, .3, .5, 1.0)
 FRICTIONS_3D = (0.0, .1, .2, .5, 1.0)
 PAPER_FRICTION = .2
 PAPER_LAYER_TIME = 1.0
+SLIP_EXAMPLES = ("5.1", "5.3")
+SLIP_FACTORS = {"5.1": (.1, 1, 10), "5.3": (.1, 1)}
 FINE_R = .01
 REST_FACTOR = 2.5  # a layer that ends at rest takes so much longer than 1 s: for estimates
 
@@ -27,10 +29,10 @@ class Plan:
         self.slip_packs = {2: few(10), 3: few(2)}
         self.friction_packs = {2: few(3), 3: few(1)}
 
-    def run(self, example, rotations, seed, end="time", full="bed", layer_time=PAPER_LAYER_TIME,
+    def run(self, example, rotations, pack, end="time", full="bed", layer_time=PAPER_LAYER_TIME,
             friction=None, slip=None, psd=None, picture=False):
         options = ["--example", example, "--rotations", rotations, "--layer-end", end,
-                   "--full", full, "--seed", str(seed)]
+                   "--full", full, "--seed", "1", "--stream", str(pack)]
         count, time = paper.LAYER_COUNT[example], layer_time
         if psd is not None:
             options += ["--psd", f"mono:{psd}"]
@@ -53,7 +55,7 @@ class Plan:
         return Run(options, layers * (layers + 1) / 2 * count * time / DT, picture)
 
     def several(self, packs, *args, **named):
-        return [self.run(*args, seed=k + 1, **named) for k in range(packs)]
+        return [self.run(*args, pack=k, **named) for k in range(packs)]
 
     def tables(self):
         return {(e, rot): self.several(self.table_packs, e, rot, picture=paper.DIM[e] == 3)
@@ -72,13 +74,13 @@ class Plan:
                 for rot in paper.ROTATIONS for t in LAYER_TIMES}
 
     def slip(self, default):
-        """default: the program's own regularising velocity; its packs are those of the
-        tables."""
-        def named(factor):
-            return {} if factor == 1 else {"slip": default * factor}
+        """default: the program's own regularising velocity for each example; its packs are
+        those of the tables."""
+        def named(example, factor):
+            return {} if factor == 1 else {"slip": default[example] * factor}
         return {(e, rot, factor): self.several(self.slip_packs[paper.DIM[e]], e, rot,
-                                               **named(factor))
-                for e in ("5.1", "5.3") for rot in paper.ROTATIONS for factor in (.1, 1, 10)}
+                                               **named(e, factor))
+                for e in SLIP_EXAMPLES for rot in paper.ROTATIONS for factor in SLIP_FACTORS[e]}
 
     def friction(self):
         return {(e, rot, mu): self.several(self.friction_packs[paper.DIM[e]], e, rot,
@@ -88,7 +90,7 @@ class Plan:
 
     def fine(self):
         r = .02 if self.quick else FINE_R
-        return {rot: [self.run("5.3", rot, 1, psd=r, picture=True)] for rot in paper.ROTATIONS}
+        return {rot: [self.run("5.3", rot, 0, psd=r, picture=True)] for rot in paper.ROTATIONS}
 
 
 def quick_sizes(example, psd):

@@ -69,6 +69,7 @@ def summary(results, groups, label):
     for (example, rotations), runs in groups.items():
         ours, theirs = results.densities(runs), paper.ROWS[example, rotations]
         reports = [results.store.report(run) for run in runs]
+        layers = sum(r["layers"]["count"] for r in reports)
         results.note(f"{label}.{example}.{rotations}", ours)
         away = (stats.mean(ours) - stats.mean(theirs)) / stats.deviation(theirs)
         results.values[f"{label}.{example}.{rotations}.away"] = f"{away:+.1f}"
@@ -80,11 +81,14 @@ def summary(results, groups, label):
             f"{stats.variation(theirs):.4f})",
             f"{away:+.1f}" + (" *" if abs(away) > 2 else ""),
             f"{stats.mean([r['particles'] for r in reports]):.0f}",
+            f"{stats.mean([r['layers']['count'] for r in reports]):.1f}",
+            f"{sum(r['layers']['simulated'] for r in reports) / layers:.2f}",
+            f"{sum(r['layers']['ended_by_time'] for r in reports) / layers:.0%}",
             f"{max(r['audit']['max_overlap'] or 0 for r in reports):.1e}",
             str(sum(not r["audit"]["passed"] for r in reports) or "none")])
     return table(["example", "rotations", "packs", "density: mean (sd, cv)", "paper",
-                  "difference in the paper's sd", "particles", "largest overlap",
-                  "failed audits"], rows)
+                  "difference in the paper's sd", "particles", "layers", "seconds a layer",
+                  "layers ended by time", "largest overlap", "failed audits"], rows)
 
 
 STARRED = ("A star marks a mean farther from the paper's than two of the paper's standard "
@@ -199,8 +203,9 @@ def slip(results, groups):
             error = stats.standard_error(phi, base)
             row += [f"{gap:+.4f}", number(error), "yes" if abs(gap) <= 2 * error else "no"]
         rows.append(row)
-    velocity = results.values.get("slip.default", "?")
-    return (f"The regularising velocity v0 of the friction law, {velocity} by default, tenfold "
+    known = ", ".join(f"{results.values[f'slip.default.{e}']} in {e}" for e in
+                      parts.SLIP_EXAMPLES)
+    return (f"The regularising velocity v0 of the friction law, by default {known}, tenfold "
             "smaller and larger.\n\n" +
             table(["example", "rotations", "v0 over the default", "packs", "density", "sd",
                    "difference", "its standard error", "within two"], rows))
