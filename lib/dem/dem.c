@@ -106,6 +106,7 @@ static packing_status build(packing_dem *dem, const packing_materials *materials
                             packing_law *const *laws, size_t law_count)
 {
   take_laws(dem, laws, law_count);
+  PACKING_I_TRY(packing_i_history_create(dem));
   set_images(dem);
   dem->dim = packing_domain_dim(dem->domain);
   dem->list_share = FIRST_SHARE;
@@ -159,6 +160,7 @@ void packing_dem_destroy(packing_dem *dem)
   if (dem == NULL)
     return;
   packing_i_dem_release_arrays(dem);
+  packing_i_history_release(dem);
   for (size_t l = 0; l < dem->law_count; l++)
     packing_law_destroy(dem->laws[l]);
   packing_i_free(dem->allocator, dem->materials);

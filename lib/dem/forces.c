@@ -49,7 +49,8 @@ static void tally_contacts(packing_i_slab *slab, const packing_i_batch *b)
 }
 
 void packing_i_dem_apply(const packing_dem *dem, const packing_law *only,
-                         const packing_pair_material *table, packing_i_batch *b)
+                         const packing_pair_material *table, double *history,
+                         packing_i_batch *b)
 {
   packing_contact_batch batch = {
       .struct_size = sizeof batch,
@@ -72,23 +73,34 @@ void packing_i_dem_apply(const packing_dem *dem, const packing_law *only,
       .fx = b->fx,
       .fy = b->fy,
       .fz = b->fz,
+      .stride = PACKING_I_ROOM,
   };
-  for (size_t l = 0; l < dem->law_count; l++)
-    if (only == NULL ? !(dem->laws[l]->reach > 0) : dem->laws[l] == only)
-      dem->work[l](dem->laws[l]->user, &batch);
+  for (size_t l = 0; l < dem->law_count; l++) {
+    const packing_law *law = dem->laws[l];
+    if (only == NULL ? law->reach > 0 : law != only)
+      continue;
+    batch.history =
+        law->history_size > 0 ? history + dem->history.offset[l] * PACKING_I_ROOM : NULL;
+    dem->work[l](law->user, &batch);
+  }
 }
 
 /* A full batch of pairs; `only`: the law of distance that it is for, NULL: contacts. */
 static void flush(const pass *p, packing_i_slab *slab, const packing_law *only,
                   packing_i_batch *b)
 {
-  const packing_dem *dem = p->dem;
+  packing_dem *dem = p->dem;
+  double *history = NULL;
   if (b->count == 0)
     return;
   fill_up(b);
   set_materials(dem, b);
   dem->kernels->motion(dem->motion, only == NULL, dem->def.arm == PACKING_ARM_RADIUS, b);
-  packing_i_dem_apply(dem, only, dem->materials->pair, b);
+  if (only == NULL)
+    history = packing_i_history_fetch(dem, (size_t)(slab - dem->slab), b, 0);
+  packing_i_dem_apply(dem, only, dem->materials->pair, history, b);
+  if (only == NULL)
+    packing_i_history_store(dem, history, b, 0);
   dem->kernels->add(dem->force, b);
   if (p->tally && only == NULL)
     tally_contacts(slab, b);

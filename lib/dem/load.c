@@ -150,6 +150,7 @@ static packing_status load_all(packing_dem *dem)
 packing_status packing_i_dem_load(packing_dem *dem)
 {
   dem->loaded = 0;
+  dem->history.kept = 0;
   PACKING_I_TRY(check_count(dem));
   PACKING_I_TRY(packing_i_dem_grow(dem, dem->particles->count));
   dem->count = dem->particles->count;

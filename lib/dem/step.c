@@ -42,10 +42,12 @@ packing_status packing_i_dem_rebuild(packing_dem *dem)
     dem->cut.slabs = 0;
     return PACKING_OK;
   }
+  PACKING_I_TRY(packing_i_history_carry(dem));
   wrap(dem);
   dem->skin = choose_skin(dem);
   PACKING_I_TRY(packing_i_dem_sort(dem));
   PACKING_I_TRY(packing_i_dem_list(dem));
+  PACKING_I_TRY(packing_i_history_restore(dem));
   dem->rebuilds++;
   return PACKING_OK;
 }

@@ -54,10 +54,10 @@ typedef struct packing_i_batch {
   double fx[PACKING_I_ROOM];
   double fy[PACKING_I_ROOM];
   double fz[PACKING_I_ROOM];
+  uint32_t pair[PACKING_I_ROOM]; /* of materials */
   uint32_t i[PACKING_I_ROOM];
   uint32_t j[PACKING_I_ROOM];
   uint32_t slot[PACKING_I_ROOM]; /* entry in the list */
-  uint32_t pair[PACKING_I_ROOM]; /* of materials */
   size_t count;
 } packing_i_batch;
 
@@ -117,6 +117,27 @@ typedef struct packing_i_slab {
   double max_overlap;
 } packing_i_slab;
 
+/* What laws remember; `size` 0: nothing, and no memory. */
+typedef struct packing_i_history {
+  size_t size;                                     /* numbers of a contact, of all laws */
+  size_t offset[PACKING_I_LAWS];                   /* of each law's first */
+  double swap[PACKING_I_LAWS * PACKING_I_HISTORY]; /* factor when i and j swap: 1 or -1 */
+  size_t particles, pairs;                         /* that there is room for */
+  int kept;                                        /* 0: there is nothing to carry over */
+  double *work;                                    /* of the batches, by slab */
+  double *value;                                   /* by entry of the list */
+  uint64_t *mark;                                  /* of the last touch, likewise */
+  double *wall_value;                              /* by entry of near_wall and wall */
+  uint64_t *wall_mark;
+  double *carried;      /* of living contacts, by the lower name */
+  uint32_t *carried_id; /* the higher name of each */
+  uint32_t *carried_at; /* where those of a lower name begin */
+  size_t carried_room;
+  double *wall_carried;
+  uint64_t *wall_carried_mark;
+  uint32_t *wall_carried_at; /* by name */
+} packing_i_history;
+
 /* About 310 bytes a particle and 8 a listed pair (some 5 a particle in dense packs). */
 struct packing_dem {
   packing_context *context;
@@ -130,8 +151,7 @@ struct packing_dem {
   packing_law *laws[PACKING_I_LAWS];
   packing_law_function work[PACKING_I_LAWS]; /* kernels of the laws */
   size_t law_count;
-  size_t history_size; /* of all laws together */
-  double reach;        /* largest of the laws of distance, 0: none */
+  double reach; /* largest of the laws of distance, 0: none */
   const packing_i_kernels *kernels;
   packing_i_images images;
   int dim;
@@ -156,11 +176,11 @@ struct packing_dem {
   size_t cell_capacity;
 
   uint32_t *list_i, *list_j; /* pairs; i in the slab, j in it or the next */
-  double *history;           /* history_size a pair; NULL: none */
   size_t list_capacity;      /* of all */
   size_t list_share;         /* entries set aside for a particle */
   uint32_t *near_wall;       /* particles, by slab */
-  double skin;               /* pairs are listed up to this gap */
+  packing_i_history history;
+  double skin; /* pairs are listed up to this gap */
   double r_min, r_max;
 };
 
@@ -192,6 +212,10 @@ packing_status packing_i_dem_grow(packing_dem *dem, size_t count);
 packing_status packing_i_dem_grow_list(packing_dem *dem, size_t entries);
 void packing_i_dem_release_arrays(packing_dem *dem);
 
+/* Puts a block of `count` entries in place of the pointer at `block`; its contents are lost. */
+packing_status packing_i_dem_renew(packing_dem *dem, void *block, size_t count,
+                                   size_t size);
+
 /* Takes all from the store, and checks it. */
 packing_status packing_i_dem_load(packing_dem *dem);
 
@@ -206,9 +230,26 @@ void packing_i_dem_wall_forces(packing_dem *dem, packing_i_slab *slab,
                                packing_i_batch *batch, int tally);
 
 /* Lets laws add their forces to a batch whose kinematics are there: those of contacts, or `only`.
- * `table` is what pairs of materials index, or the one entry for all. */
+ * `table` is what pairs of materials index, or the one entry for all; `history` is that of
+ * packing_i_history_fetch(). */
 void packing_i_dem_apply(const packing_dem *dem, const packing_law *only,
-                         const packing_pair_material *table, packing_i_batch *b);
+                         const packing_pair_material *table, double *history,
+                         packing_i_batch *b);
+
+/* Memory of contacts: made with the laws; what lives is carried over a rebuild, which begins with
+ * packing_i_history_carry() and ends with packing_i_history_restore(). */
+packing_status packing_i_history_create(packing_dem *dem);
+void packing_i_history_release(packing_dem *dem);
+size_t packing_i_history_bytes(const packing_dem *dem);
+packing_status packing_i_history_carry(packing_dem *dem);
+packing_status packing_i_history_restore(packing_dem *dem);
+
+/* The numbers of a batch of contacts of a slab (with walls: of walls), number c of contact k at
+ * [c * PACKING_I_ROOM + k], NULL where laws remember nothing; and back. */
+double *packing_i_history_fetch(const packing_dem *dem, size_t slab,
+                                const packing_i_batch *b, int walls);
+void packing_i_history_store(packing_dem *dem, const double *work,
+                             const packing_i_batch *b, int walls);
 
 /* Velocities and positions one step on, from the forces. */
 void packing_i_dem_integrate(packing_dem *dem);

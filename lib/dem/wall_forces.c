@@ -9,9 +9,10 @@ static packing_vec3 cross(packing_vec3 a, packing_vec3 b)
                        a.x * b.y - a.y * b.x);
 }
 
-/* Kinematics of particle p against a wall; n points into the wall. */
-static void put(const packing_dem *dem, size_t p, const packing_i_near_wall *wall,
-                packing_i_batch *b)
+/* Kinematics of particle p, entry `near_entry` of those near walls, against a wall; n points
+ * into the wall. */
+static void put(const packing_dem *dem, size_t near_entry, size_t p,
+                const packing_i_near_wall *wall, packing_i_batch *b)
 {
   const size_t k = b->count++;
   const packing_i_pair_table *table = dem->materials;
@@ -30,7 +31,7 @@ static void put(const packing_dem *dem, size_t p, const packing_i_near_wall *wal
   const double approach = packing_i_dot(v, n);
   const packing_vec3 turning = cross(packing_i_scale(w, arm), n);
   b->i[k] = (uint32_t)p;
-  b->slot[k] = (uint32_t)wall->wall;
+  b->slot[k] = (uint32_t)(near_entry * PACKING_I_NEAR_WALLS + (size_t)wall->wall);
   b->pair[k] = (uint32_t)entry;
   b->dx[k] = n.x;
   b->dy[k] = n.y;
@@ -86,8 +87,10 @@ static void flush(packing_dem *dem, packing_i_slab *slab, packing_i_batch *b, in
     return;
   fill_up(b);
   /* Of one material all entries are the same. */
-  packing_i_dem_apply(dem, NULL,
-                      dem->materials->pair + (dem->one_material ? b->pair[0] : 0), b);
+  double *history = packing_i_history_fetch(dem, (size_t)(slab - dem->slab), b, 1);
+  packing_i_dem_apply(
+      dem, NULL, dem->materials->pair + (dem->one_material ? b->pair[0] : 0), history, b);
+  packing_i_history_store(dem, history, b, 1);
   add(dem, b);
   if (tally)
     slab->wall_contacts += b->count;
@@ -104,7 +107,7 @@ void packing_i_dem_wall_forces(packing_dem *dem, packing_i_slab *slab,
     const packing_vec3 x = packing_i_vec(at[0], at[1], at[2]);
     const int walls = packing_i_domain_near_walls(dem->domain, &x, at[3], near);
     for (int w = 0; w < walls; w++)
-      put(dem, p, &near[w], batch);
+      put(dem, k, p, &near[w], batch);
     if (batch->count > PACKING_I_BATCH - PACKING_I_NEAR_WALLS)
       flush(dem, slab, batch, tally);
   }
