@@ -63,18 +63,18 @@ static packing_status create_placer(const layers_job *job, const layered_pack *m
 static int place(layers_job *job, layered_pack *made, packing_placer *placer)
 {
   layer *here = &made->layers[made->count - 1];
-  packing_placer_report report;
-  packing_placer_report_init(&report);
+  packing_placer_report placed;
+  packing_placer_report_init(&placed);
   do {
-    const packing_status status = packing_placer_step(placer, PLACER_STEP, &report);
+    const packing_status status = packing_placer_step(placer, PLACER_STEP, &placed);
     if (status != PACKING_OK)
       return program_status(job->context, status, "rsa");
     show(job, made, "placing", 0);
-  } while (report.state == PACKING_PLACER_RUNNING && !interrupted());
-  here->placed = report.placed;
-  here->unplaced = report.unplaced;
-  here->density = report.volume_fraction;
-  here->saturated = report.state != PACKING_PLACER_DONE;
+  } while (placed.state == PACKING_PLACER_RUNNING && !interrupted());
+  here->placed = placed.placed;
+  here->unplaced = placed.unplaced;
+  here->density = placed.volume_fraction;
+  here->saturated = placed.state != PACKING_PLACER_DONE;
   return interrupted() ? program_interrupted() : 0;
 }
 
