@@ -47,8 +47,8 @@ class Plan:
             layer, height = quick_sizes(example, psd)
             options += ["--layer-height", layer, "--height", height]
             time = .05 * layer_time
-            options += (["--layer-time", repr(time)] if end == "time" else
-                        ["--layer-time-max", repr(time)])
+            options += ["--layer-time", repr(time)]
+            options += ["--layer-time-max", repr(4 * time)] if end == "rest" else []
         elif end == "time" and layer_time != PAPER_LAYER_TIME:
             options += ["--layer-time", repr(layer_time)]
         layers = paper.LAYERS[example]
