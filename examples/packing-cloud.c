@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "common/measures.h"
 #include "common/options.h"
 #include "common/program.h"
 #include "common/progress.h"
@@ -35,7 +36,6 @@ typedef struct cloud {
   packing_particles *particles;
   packing_placer *placer;
   packing_placer_report placed;
-  packing_coordination_report coordination;
   size_t count;           /* what the placer is told, 0: no limit */
   double volume_fraction; /* the same */
   report report;
@@ -106,7 +106,7 @@ static error_t parse_own(int key, char *argument, struct argp_state *state)
   switch (key) {
   case ARGP_KEY_INIT:
     options_refuse(key, argument, state);
-    state->child_inputs[0] = &o->common;
+    state->child_inputs[0] = state->child_inputs[1] = &o->common;
     return 0;
   case KEY_METHOD:
     code = read_method(argument, o);
@@ -124,12 +124,6 @@ static error_t parse_own(int key, char *argument, struct argp_state *state)
   if (code)
     exit(code);
   return 0;
-}
-
-static char *add_spec_help(int key, const char *text, void *input)
-{
-  (void)input;
-  return key == ARGP_KEY_HELP_POST_DOC ? strdup(spec_help) : (char *)(uintptr_t)text;
 }
 
 static int check_options(const cloud_options *o)
@@ -259,97 +253,12 @@ static int place(cloud *c)
   return interrupted() ? program_interrupted() : 0;
 }
 
-/* ---- measures ---- */
-
-static packing_status measure_audit(cloud *c, const packing_view *view)
-{
-  packing_audit_def def;
-  packing_audit_report audit;
-  packing_audit_def_init(&def);
-  packing_audit_report_init(&audit);
-  def.limit = c->asked->common.max_overlap;
-  const packing_status status = packing_audit(c->context, &def, c->domain, view, &audit);
-  c->report.max_overlap = audit.max_overlap;
-  c->report.max_protrusion = audit.max_protrusion;
-  c->report.audit_limit = def.limit;
-  c->report.audit_passed = audit.passed;
-  return status;
-}
-
-static packing_status measure_volume(cloud *c, const packing_view *view)
-{
-  packing_volume_report volume;
-  packing_volume_report_init(&volume);
-  const packing_status status =
-      packing_measure_volume(c->context, NULL, c->domain, view, &volume);
-  c->report.domain_volume = volume.domain_volume;
-  c->report.solid_volume = volume.solid_volume;
-  c->report.volume_fraction = volume.volume_fraction;
-  c->report.volume_fraction_inner = volume.inner_fraction;
-  return status;
-}
-
-static packing_status measure_coordination(cloud *c, const packing_view *view)
-{
-  packing_coordination_def def;
-  packing_coordination_def_init(&def);
-  def.dim = c->spec.dim;
-  packing_coordination_report_init(&c->coordination);
-  const packing_status status =
-      packing_measure_coordination(c->context, &def, c->domain, view, &c->coordination);
-  c->report.coordination_mean = c->coordination.mean;
-  c->report.coordination_mean_no_rattlers = c->coordination.mean_no_rattlers;
-  c->report.coordination_tolerance = def.tolerance;
-  c->report.rattlers = c->coordination.rattlers;
-  c->report.histogram = c->coordination.histogram;
-  c->report.histogram_bins = PACKING_COORDINATION_BINS;
-  return status;
-}
-
-static packing_status measure_sizes(cloud *c, const packing_view *view)
-{
-  packing_sizes_report sizes;
-  packing_sizes_report_init(&sizes);
-  const packing_status status = packing_measure_sizes(c->context, c->psd, view, &sizes);
-  c->report.ks = sizes.ks;
-  c->report.ks_limit = sizes.ks_limit;
-  c->report.ks_mass = sizes.ks_mass;
-  c->report.mean_relative_error = sizes.mean_relative_error;
-  return status;
-}
-
-static int measure(cloud *c, const packing_view *view)
-{
-  const double start = program_seconds();
-  packing_status status = measure_audit(c, view);
-  if (status == PACKING_OK)
-    status = measure_volume(c, view);
-  if (status == PACKING_OK && view->count > 0)
-    status = measure_coordination(c, view);
-  if (status == PACKING_OK && view->count > 0)
-    status = measure_sizes(c, view);
-  c->report.unplaced = c->placed.unplaced;
-  c->report.time_measure = program_seconds() - start;
-  return status == PACKING_OK ? 0 : program_status(c->context, status, "measures");
-}
-
 /* ---- results ---- */
-
-/* The pack's files as typed. */
-static void report_add_outputs(cJSON *all, const outputs *out)
-{
-  cJSON *list = report_add_list(all, "out");
-  for (size_t i = 0; i < out->count; i++)
-    if (strcmp(out->items[i].option, "--out") == 0)
-      report_append_text(list, out->items[i].text);
-}
 
 static cJSON *report_options(const cloud *c)
 {
   const options *o = &c->asked->common;
-  cJSON *all = cJSON_CreateObject();
-  if (!all)
-    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  cJSON *all = report_new();
   report_add_text(all, "domain", o->domain);
   report_add_text(all, "psd", o->psd);
   report_add_text(all, "method", c->asked->method);
@@ -363,16 +272,7 @@ static cJSON *report_options(const cloud *c)
   report_add_real(all, "mass", o->mass);
   report_add_real(all, "density", o->density);
   report_add_real(all, "target_porosity", o->porosity);
-  report_add_u64(all, "seed", o->seed);
-  report_add_u64(all, "stream", o->stream);
-  report_add_count(all, "threads", (size_t)packing_context_threads(c->context));
-  report_add_text(all, "isa", packing_isa_name(packing_context_isa(c->context)));
-  report_add_real(all, "max_overlap", o->max_overlap);
-  report_add_text(all, "colour", colour_name(o->colour));
-  report_add_outputs(all, &o->outputs);
-  report_add_text(all, "plot_sizes", o->plot_sizes);
-  report_add_text(all, "report", o->report);
-  report_add_flag(all, "quiet", o->quiet);
+  options_report(all, o, c->context);
   return all;
 }
 
@@ -412,13 +312,11 @@ static int write_results(cloud *c, const packing_view *view, const char *command
   r->input = &c->input;
   r->seed = o->seed;
   r->threads = packing_context_threads(c->context);
-  r->dim = c->spec.dim;
-  r->particles = view->count;
   r->time_total = program_seconds() - start;
-  char *text = report_text(r);
+  char *text = report_text(report_object(r));
   p.report = text;
   fill_notes(c, &p.notes);
-  const int code = outputs_write(&o->outputs, &p, o->report ? NULL : text);
+  const int code = outputs_write(&o->outputs, &p, 1, o->report ? NULL : text);
   notes_free(&p.notes);
   free(text);
   return code;
@@ -427,13 +325,10 @@ static int write_results(cloud *c, const packing_view *view, const char *command
 /* Whether the pack is what was asked; says so if not. */
 static int judge(const cloud *c)
 {
-  const options *o = &c->asked->common;
   const int limited = c->count > 0 || c->volume_fraction > 0;
   const char *state = packing_placer_state_name(c->placed.state);
-  if (!c->report.audit_passed)
-    return program_fail(PROGRAM_SHORT,
-                        "the audit failed: overlap %.3g, protrusion %.3g, limit %.3g",
-                        c->report.max_overlap, c->report.max_protrusion, o->max_overlap);
+  if (measures_judge(&c->report) != PROGRAM_DONE)
+    return PROGRAM_SHORT;
   if (c->placed.state == PACKING_PLACER_GAVE_UP && !limited)
     program_remark("gave up after %llu refusals of one radius: not proved to be full",
                    (unsigned long long)c->asked->max_failures);
@@ -461,7 +356,9 @@ static int run(cloud *c, const char *command)
   if (code)
     return code;
   packing_particles_view(c->particles, &view);
-  code = measure(c, &view);
+  c->report.unplaced = c->placed.unplaced;
+  code = measures_fill(&c->report, c->context, c->domain, c->psd, &view,
+                       c->asked->common.max_overlap);
   if (!code)
     code = write_results(c, &view, command, start);
   return code ? code : judge(c);
@@ -480,6 +377,7 @@ static void clean_up(cloud *c)
 int main(int argc, char **argv)
 {
   static const struct argp_child children[] = {{&options_argp, 0, NULL, 0},
+                                               {&options_amount_argp, 0, NULL, 0},
                                                {NULL, 0, NULL, 0}};
   static const struct argp own = {
       .options = own_options,
@@ -489,7 +387,7 @@ int main(int argc, char **argv)
           "Fills a container with a loose, audited, non-overlapping pack of spheres or "
           "discs: the start of a discrete-element simulation.\v ",
       .children = children,
-      .help_filter = add_spec_help,
+      .help_filter = options_add_spec_help,
   };
   cloud_options o = {.method = "rsa", .max_failures = 1000000};
   cloud c = {.asked = &o};

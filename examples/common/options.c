@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "program.h"
+#include "report.h"
 
 enum {
   KEY_DOMAIN = 0x100,
@@ -30,43 +31,45 @@ static const struct argp_option table[] = {
     {NULL, 0, NULL, 0, "What and where:", 1},
     {"domain", KEY_DOMAIN, "SPEC", 0, "the container", 1},
     {"psd", KEY_PSD, "SPEC", 0, "the particle sizes", 1},
-    {NULL, 0, NULL, 0, "How much (at most one; none: as much as fits):", 2},
-    {"count", KEY_COUNT, "N", 0, "so many particles", 2},
-    {"mass", KEY_MASS, "M", 0, "particles of that mass", 2},
-    {"target-porosity", KEY_POROSITY, "P", 0, "until so much of the container is void",
-     2},
-    {"density", KEY_DENSITY, "RHO", 0,
-     "density of the particles, for --mass and for files that carry one (default 1000)",
-     2},
-    {NULL, 0, NULL, 0, "Randomness and machine:", 4},
-    {"seed", KEY_SEED, "N", 0, "64-bit seed (default 1)", 4},
-    {"stream", KEY_STREAM, "N", 0, "which pack of that seed (default 0)", 4},
-    {"threads", KEY_THREADS, "N", 0, "threads (default all cores)", 4},
+    {"density", KEY_DENSITY, "RHO", 0, "density of the particles (default 1000)", 1},
+    {NULL, 0, NULL, 0, "Randomness and machine:", 6},
+    {"seed", KEY_SEED, "N", 0, "64-bit seed (default 1)", 6},
+    {"stream", KEY_STREAM, "N", 0, "which pack of that seed (default 0)", 6},
+    {"threads", KEY_THREADS, "N", 0, "threads (default all cores)", 6},
     {"isa", KEY_ISA, "NAME", 0,
      "instruction set: auto (default), baseline, avx2, avx512. Neither this nor the "
      "number "
      "of threads changes the pack",
-     4},
-    {NULL, 0, NULL, 0, "Results:", 5},
+     6},
+    {NULL, 0, NULL, 0, "Results:", 7},
     {"out", KEY_OUT, "[FORMAT:]FILE", 0,
      "write the pack; may be repeated. Formats: csv vtp lammps liggghts yade xyz png "
      "svg; "
      "without FORMAT by extension: .csv .vtp .data .xyz .png .svg",
-     5},
+     7},
     {"plot-sizes", KEY_PLOT_SIZES, "FILE", 0,
-     "plot the size curves asked and placed (.png or .svg)", 5},
+     "plot the size curves asked and placed (.png or .svg)", 7},
     {"colour", KEY_COLOUR, "WHAT", 0,
-     "what colours show in pictures of the pack: radius (default), component, height", 5},
-    {"color", KEY_COLOUR, "WHAT", OPTION_ALIAS | OPTION_HIDDEN, NULL, 5},
+     "what colours show in pictures of the pack: radius (default), component, height", 7},
+    {"color", KEY_COLOUR, "WHAT", OPTION_ALIAS | OPTION_HIDDEN, NULL, 7},
     {"report", KEY_REPORT, "FILE", 0,
      "write the JSON report there (default: standard "
      "output)",
-     5},
+     7},
     {"max-overlap", KEY_MAX_OVERLAP, "X", 0,
      "the audit fails above this overlap or protrusion, relative to the smaller radius "
-     "(default 1e-9)",
-     5},
-    {"quiet", KEY_QUIET, NULL, 0, "no progress bar and no remarks", 5},
+     "(default 1e-9, after settling 0.01)",
+     7},
+    {"quiet", KEY_QUIET, NULL, 0, "no progress bar and no remarks", 7},
+    {NULL, 0, NULL, 0, NULL, 0},
+};
+
+static const struct argp_option amount_table[] = {
+    {NULL, 0, NULL, 0, "How much (at most one; none: as much as fits):", 2},
+    {"count", KEY_COUNT, "N", 0, "so many particles", 2},
+    {"mass", KEY_MASS, "M", 0, "particles of that mass, by --density", 2},
+    {"target-porosity", KEY_POROSITY, "P", 0, "until so much of the container is void",
+     2},
     {NULL, 0, NULL, 0, NULL, 0},
 };
 
@@ -135,6 +138,13 @@ static int read_threads(const char *text, int *threads)
   return code;
 }
 
+static int read_out(options *o, const char *text)
+{
+  o->out = program_take_more(o->out, o->out_count + 1, sizeof *o->out);
+  o->out[o->out_count++] = text;
+  return outputs_add_pack(&o->outputs, "--out", text);
+}
+
 static int read_report(options *o, const char *text)
 {
   if (o->report)
@@ -167,14 +177,8 @@ static int read_option(int key, const char *text, options *o)
     return read_once("--domain", text, &o->domain);
   case KEY_PSD:
     return read_once("--psd", text, &o->psd);
-  case KEY_COUNT:
-    return read_count(text, &o->count);
-  case KEY_MASS:
-    return number_positive("--mass", text, &o->mass);
   case KEY_DENSITY:
     return number_positive("--density", text, &o->density);
-  case KEY_POROSITY:
-    return read_porosity(text, &o->porosity);
   case KEY_SEED:
     return number_whole("--seed", text, 0, UINT64_MAX, &o->seed);
   case KEY_STREAM:
@@ -184,7 +188,7 @@ static int read_option(int key, const char *text, options *o)
   case KEY_ISA:
     return read_isa(text, &o->isa);
   case KEY_OUT:
-    return outputs_add_pack(&o->outputs, "--out", text);
+    return read_out(o, text);
   case KEY_REPORT:
     return read_report(o, text);
   case KEY_MAX_OVERLAP:
@@ -201,28 +205,73 @@ static int read_option(int key, const char *text, options *o)
   }
 }
 
+static int read_amount(int key, const char *text, options *o)
+{
+  switch (key) {
+  case KEY_COUNT:
+    return read_count(text, &o->count);
+  case KEY_MASS:
+    return number_positive("--mass", text, &o->mass);
+  case KEY_POROSITY:
+    return read_porosity(text, &o->porosity);
+  default:
+    return -1;
+  }
+}
+
 /* Only one way to say how much. */
-static void check_amount(const options *o)
+static int check_amount(const options *o)
 {
   const int given = (o->count > 0) + !isnan(o->mass) + !isnan(o->porosity);
   if (given > 1)
-    exit(program_fail(PROGRAM_BAD_INPUT,
-                      "--count, --mass, --target-porosity: only one of them"));
+    return program_fail(PROGRAM_BAD_INPUT,
+                        "--count, --mass, --target-porosity: only one of them");
+  return 0;
 }
 
-static error_t parse(int key, char *argument, struct argp_state *state)
+static error_t end_or_go_on(int code)
 {
-  if (key == ARGP_KEY_END) {
-    check_amount(state->input);
-    return 0;
-  }
-  const int code = read_option(key, argument, state->input);
   if (code > 0)
     exit(code);
   return code == 0 ? 0 : ARGP_ERR_UNKNOWN;
 }
 
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+  return end_or_go_on(read_option(key, argument, state->input));
+}
+
+static error_t parse_amount(int key, char *argument, struct argp_state *state)
+{
+  if (key == ARGP_KEY_END)
+    return end_or_go_on(check_amount(state->input));
+  return end_or_go_on(read_amount(key, argument, state->input));
+}
+
 const struct argp options_argp = {.options = table, .parser = parse};
+const struct argp options_amount_argp = {.options = amount_table, .parser = parse_amount};
+
+char *options_add_spec_help(int key, const char *text, void *input)
+{
+  (void)input;
+  return key == ARGP_KEY_HELP_POST_DOC ? strdup(spec_help) : (char *)(uintptr_t)text;
+}
+
+void options_report(cJSON *all, const options *o, const packing_context *context)
+{
+  report_add_u64(all, "seed", o->seed);
+  report_add_u64(all, "stream", o->stream);
+  report_add_count(all, "threads", (size_t)packing_context_threads(context));
+  report_add_text(all, "isa", packing_isa_name(packing_context_isa(context)));
+  report_add_real(all, "max_overlap", o->max_overlap);
+  report_add_text(all, "colour", colour_name(o->colour));
+  cJSON *list = report_add_list(all, "out");
+  for (size_t i = 0; i < o->out_count; i++)
+    report_append_text(list, o->out[i]);
+  report_add_text(all, "plot_sizes", o->plot_sizes);
+  report_add_text(all, "report", o->report);
+  report_add_flag(all, "quiet", o->quiet);
+}
 
 static void print_version(FILE *to, struct argp_state *state)
 {
@@ -271,13 +320,19 @@ void options_init(options *o)
 void options_free(options *o)
 {
   outputs_free(&o->outputs);
+  free(o->out);
 }
 
+/* Pack after pack would repeat the warning about one field with other numbers. */
 static void tell_warning(void *user, const packing_log_record *record)
 {
+  static char told[64];
+  const char *field = record->field ? record->field : "";
   (void)user;
-  if (record->level == PACKING_LOG_WARNING)
-    program_remark("%s", record->message);
+  if (record->level != PACKING_LOG_WARNING || (*field && strcmp(field, told) == 0))
+    return;
+  snprintf(told, sizeof told, "%s", field);
+  program_remark("%s", record->message);
 }
 
 int options_context(const options *o, packing_context **context)

@@ -7,6 +7,7 @@
  * value ends the program with one line and exit code 2. */
 
 #include <argp.h>
+#include <cjson/cJSON.h>
 #include "output.h"
 
 typedef struct options {
@@ -21,6 +22,8 @@ typedef struct options {
   packing_isa isa;       /* default auto */
   double max_overlap;    /* limit of the audit, default 1e-9 */
   outputs outputs;
+  const char **out; /* the --out as typed */
+  size_t out_count;
   const char *report;     /* NULL: standard output */
   const char *plot_sizes; /* NULL: none */
   colour_by colour;
@@ -32,6 +35,9 @@ void options_free(options *o);
 
 extern const struct argp options_argp;
 
+/* Beside it for programs that can be told how much: --count, --mass, --target-porosity. */
+extern const struct argp options_amount_argp;
+
 /* Parses the whole command line with a program's own argp; returns 0 or exit code 2. `input`
  * goes to the program's parser, which hands an `options` to its first child. */
 int options_parse(const struct argp *own, int argc, char **argv, void *input);
@@ -39,6 +45,12 @@ int options_parse(const struct argp *own, int argc, char **argv, void *input);
 /* The parser of a program without options of its own; others call it for what they do not
  * know. Plain arguments are refused. */
 error_t options_refuse(int key, char *argument, struct argp_state *state);
+
+/* A help filter that ends --help with the little language of --domain and --psd. */
+char *options_add_spec_help(int key, const char *text, void *input);
+
+/* Adds what all programs share to the options of a report. */
+void options_report(cJSON *all, const options *o, const packing_context *context);
 
 /* The names of colour_by. */
 const char *colour_name(colour_by colour);

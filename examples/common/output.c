@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -86,18 +87,18 @@ static const format sizes_formats[] = {
     {NULL, NULL, NULL},
 };
 
-static void add(outputs *all, const char *option, const char *text, const char *path,
-                pack_writer write)
+static output *add(outputs *all, const char *option, const char *text, const char *path)
 {
   struct stat there;
   all->items = program_take_more(all->items, all->count + 1, sizeof *all->items);
-  all->items[all->count++] = (output){
+  output *made = &all->items[all->count++];
+  *made = (output){
       .option = option,
       .text = text,
-      .path = path,
-      .write = write,
+      .path = program_copy(path, strlen(path)),
       .in_place = stat(path, &there) == 0 && !S_ISREG(there.st_mode),
   };
+  return made;
 }
 
 static int has_extension(const char *path, const char *extension)
@@ -122,44 +123,131 @@ static int add_by_name(outputs *all, const char *option, const char *text)
       if (!text[length + 1])
         return program_fail(PROGRAM_BAD_INPUT, "%s: a file name is missing after '%s'",
                             option, text);
-      add(all, option, text, text + length + 1, f->write);
+      add(all, option, text, text + length + 1)->write = f->write;
       return 0;
     }
   return program_fail(PROGRAM_BAD_INPUT, "%s: unknown format '%.*s'; known are %s",
                       option, (int)length, text, output_formats);
 }
 
-static int add_by_extension(outputs *all, const char *option, const char *path,
-                            const format *formats, const char *known)
+/* The format of a path, NULL after a line about what is wrong with it. */
+static const format *format_of(const char *option, const char *path,
+                               const format *formats, const char *known)
 {
   for (const format *f = formats; f->name; f++)
-    if (f->extension && has_extension(path, f->extension)) {
-      add(all, option, path, path, f->write);
-      return 0;
-    }
-  return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' has none of the extensions %s", option,
-                      path, known);
+    if (f->extension && has_extension(path, f->extension))
+      return f;
+  program_fail(PROGRAM_BAD_INPUT, "%s: '%s' has none of the extensions %s", option, path,
+               known);
+  return NULL;
 }
 
 int outputs_add_pack(outputs *all, const char *option, const char *text)
 {
   if (prefix_length(text))
     return add_by_name(all, option, text);
-  return add_by_extension(all, option, text, pack_formats,
-                          ".csv .vtp .data .xyz .png .svg, and no FORMAT: is before it");
+  const format *f =
+      format_of(option, text, pack_formats,
+                ".csv .vtp .data .xyz .png .svg, and no FORMAT: is before it");
+  if (!f)
+    return PROGRAM_BAD_INPUT;
+  add(all, option, text, text)->write = f->write;
+  return 0;
 }
 
 int outputs_add_sizes(outputs *all, const char *option, const char *path)
 {
-  return add_by_extension(all, option, path, sizes_formats, ".png .svg");
+  const format *f = format_of(option, path, sizes_formats, ".png .svg");
+  if (!f)
+    return PROGRAM_BAD_INPUT;
+  add(all, option, path, path)->write = f->write;
+  return 0;
+}
+
+int outputs_add_sheet(outputs *all, const char *option, const char *path)
+{
+  static const format formats[] = {
+      {"png", ".png", NULL}, {"svg", ".svg", NULL}, {NULL, NULL, NULL}};
+  const format *f = format_of(option, path, formats, ".png .svg");
+  if (!f)
+    return PROGRAM_BAD_INPUT;
+  output *made = add(all, option, path, path);
+  made->write_all = f == formats ? picture_write_sheet_png : picture_write_sheet_svg;
+  made->shared = 1;
+  return 0;
 }
 
 int outputs_add_report(outputs *all, const char *option, const char *path)
 {
   if (!*path)
     return program_fail(PROGRAM_BAD_INPUT, "%s: a file name is missing", option);
-  add(all, option, path, path, write_report);
+  output *made = add(all, option, path, path);
+  made->write = write_report;
+  made->shared = 1;
   return 0;
+}
+
+/* "a.csv" becomes "a-2-3.csv" for set 2, pack 3; without a set "a-3.csv". */
+static char *numbered(const char *path, size_t set, size_t number)
+{
+  const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+  const char *name = slash ? slash + 1 : path;
+  const size_t stem = dot && dot > name ? (size_t)(dot - path) : strlen(path);
+  char *made = NULL;
+  const int length =
+      set ? asprintf(&made, "%.*s-%zu-%zu%s", (int)stem, path, set, number, path + stem)
+          : asprintf(&made, "%.*s-%zu%s", (int)stem, path, number, path + stem);
+  if (length < 0)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  return made;
+}
+
+/* All files of a run are open until they appear. */
+static void allow_many_files(void)
+{
+  struct rlimit limit;
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0)
+    return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+static int number_one(outputs *to, const output *one, size_t sets, size_t packs)
+{
+  if (one->in_place)
+    return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' is one place for %zu packs",
+                        one->option, one->path, sets * packs);
+  for (size_t i = 0; i < sets * packs; i++) {
+    char *path = numbered(one->path, sets > 1 ? i / packs + 1 : 0, i % packs + 1);
+    output *made = add(to, one->option, one->text, path);
+    made->write = one->write;
+    made->pack = i;
+    free(path);
+  }
+  return 0;
+}
+
+int outputs_number(outputs *all, size_t sets, size_t packs)
+{
+  outputs typed = *all;
+  int code = 0;
+  if (sets * packs == 1)
+    return 0;
+  allow_many_files();
+  *all = (outputs){NULL, 0};
+  for (size_t i = 0; i < typed.count && !code; i++) {
+    output *one = &typed.items[i];
+    if (!one->shared) {
+      code = number_one(all, one, sets, packs);
+      continue;
+    }
+    output *kept = add(all, one->option, one->text, one->path);
+    kept->write = one->write;
+    kept->write_all = one->write_all;
+    kept->shared = 1;
+  }
+  outputs_free(&typed);
+  return code;
 }
 
 /* One name for a file that may not be there yet: its folder's real path and its own name. */
@@ -179,29 +267,30 @@ static char *real_name(const char *path)
   return whole;
 }
 
-static int same_file(const char *a, const char *b)
+static int same_name(const char *a, const char *b)
 {
-  char *first = real_name(a), *second = real_name(b);
-  const int same = first && second && strcmp(first, second) == 0;
-  free(second);
-  free(first);
-  return same;
+  return a && b && strcmp(a, b) == 0;
 }
 
 static int check_names(const outputs *all, size_t i, const input_files *inputs)
 {
-  const output *out = &all->items[i];
+  output *out = &all->items[i];
   if (out->in_place)
     return 0;
+  out->real = real_name(out->path);
   for (size_t k = 0; k < i; k++)
-    if (same_file(out->path, all->items[k].path))
+    if (same_name(out->real, all->items[k].real))
       return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' is written twice (%s '%s')",
                           out->option, out->path, all->items[k].option,
                           all->items[k].path);
-  for (size_t k = 0; k < inputs->count; k++)
-    if (same_file(out->path, inputs->items[k].path))
+  for (size_t k = 0; k < inputs->count; k++) {
+    char *input = real_name(inputs->items[k].path);
+    const int same = same_name(out->real, input);
+    free(input);
+    if (same)
       return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' is an input", out->option,
                           out->path);
+  }
   return 0;
 }
 
@@ -292,8 +381,9 @@ static int await_reader(const output *out)
   return fd;
 }
 
-static int write_one(output *out, const pack *p)
+static int write_one(output *out, const pack *packs, size_t count)
 {
+  const pack *p = &packs[out->pack];
   const int fd = await_reader(out);
   if (interrupted())
     return program_interrupted();
@@ -304,7 +394,8 @@ static int write_one(output *out, const pack *p)
     return file_status(out, p, status);
   passage way = {.context = p->context, .inner = packing_file_stream(out->file)};
   const packing_stream stream = {.write = write_on, .user = &way};
-  status = out->write(p, &stream);
+  status =
+      out->write_all ? out->write_all(packs, count, &stream) : out->write(p, &stream);
   return status == PACKING_OK ? 0 : output_status(out, p, status, way.reason);
 }
 
@@ -330,18 +421,19 @@ static int print_standard_output(const char *text)
   return 0;
 }
 
-int outputs_write(outputs *all, const pack *p, const char *standard_output)
+int outputs_write(outputs *all, const pack *packs, size_t count,
+                  const char *standard_output)
 {
   int code = interrupted() ? program_interrupted() : 0;
   for (size_t i = 0; i < all->count && !code; i++)
-    code = write_one(&all->items[i], p);
+    code = write_one(&all->items[i], packs, count);
   /* What cannot be taken back comes first, so that its failure leaves no other file. */
   if (!code)
-    code = commit(all, p, 1);
+    code = commit(all, packs, 1);
   if (!code)
     code = print_standard_output(standard_output);
   if (!code)
-    code = commit(all, p, 0);
+    code = commit(all, packs, 0);
   for (size_t i = 0; i < all->count; i++) {
     packing_file_close(all->items[i].file);
     all->items[i].file = NULL;
@@ -351,6 +443,10 @@ int outputs_write(outputs *all, const pack *p, const char *standard_output)
 
 void outputs_free(outputs *all)
 {
+  for (size_t i = 0; i < all->count; i++) {
+    free(all->items[i].path);
+    free(all->items[i].real);
+  }
   free(all->items);
   all->items = NULL;
   all->count = 0;

@@ -8,16 +8,22 @@
 #include "pack.h"
 #include "spec.h"
 
-/* Writes a pack somewhere. */
+/* Writes a pack, or all packs of a run, somewhere. */
 typedef packing_status (*pack_writer)(const pack *p, const packing_stream *stream);
+typedef packing_status (*sheet_writer)(const pack *packs, size_t count,
+                                       const packing_stream *stream);
 
 typedef struct output {
   const char *option; /* for messages: "--out" */
   const char *text;   /* as typed */
-  const char *path;
+  char *path;
+  char *real; /* one name for the place, however it is typed; NULL: not yet known */
   pack_writer write;
-  int in_place;       /* a device or a pipe: written as it stands */
-  packing_file *file; /* while being written */
+  sheet_writer write_all; /* in place of `write` */
+  int shared;             /* one for all packs, as the report is */
+  size_t pack;            /* which one it shows */
+  int in_place;           /* a device or a pipe: written as it stands */
+  packing_file *file;     /* while being written */
 } output;
 
 typedef struct outputs {
@@ -35,13 +41,22 @@ int outputs_add_sizes(outputs *all, const char *option, const char *path);
 /* Adds the report. */
 int outputs_add_report(outputs *all, const char *option, const char *path);
 
+/* Adds the picture of all packs, by extension .png or .svg. */
+int outputs_add_sheet(outputs *all, const char *option, const char *path);
+
+/* Gives each pack files of its own, with its number (and that of its set, where there are
+ * several) before the extension: a.csv becomes a-1.csv, a-2.csv ... or a-1-1.csv ... A single
+ * pack keeps the names as they are. */
+int outputs_number(outputs *all, size_t sets, size_t packs);
+
 /* Before the work: every place can be written, none is named twice or is an input. */
 int outputs_check(const outputs *all, packing_context *context,
                   const input_files *inputs);
 
-/* After the work: writes all beside their places, sends `standard_output` (may be NULL) to
+/* After the work: writes all `packs` (as many as were numbered) beside their places, sends `standard_output` (may be NULL) to
  * standard output, and lets the files appear. On failure none does. */
-int outputs_write(outputs *all, const pack *p, const char *standard_output);
+int outputs_write(outputs *all, const pack *packs, size_t count,
+                  const char *standard_output);
 
 void outputs_free(outputs *all);
 

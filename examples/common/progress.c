@@ -15,6 +15,7 @@ void progress_start(progress *bar, const char *label, int enabled)
 {
   dark = !enabled || !isatty(STDERR_FILENO);
   bar->label = label;
+  bar->unit = "";
   bar->start = bar->shown = program_seconds();
 }
 
@@ -27,20 +28,22 @@ static void format_time(char *text, size_t size, double seconds)
     snprintf(text, size, "%lu:%02lu:%02lu", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-static void format_rate(char *text, size_t size, double rate)
+static void format_rate(char *text, size_t size, double rate, const char *unit)
 {
-  if (rate < 1e4)
-    snprintf(text, size, "%.0f/s", rate);
-  else if (rate < 1e7)
-    snprintf(text, size, "%.0fk/s", rate / 1e3);
-  else
-    snprintf(text, size, "%.0fM/s", rate / 1e6);
+  const char *thousands = rate < 1e4 ? "" : rate < 1e7 ? "k" : "M";
+  const double shown = rate < 1e4 ? rate : rate < 1e7 ? rate / 1e3 : rate / 1e6;
+  snprintf(text, size, "%.0f%s%s%s/s", shown, thousands, *unit ? " " : "", unit);
 }
 
 void progress_show(progress *bar, double share, size_t count)
 {
+  progress_show_work(bar, share, count, (double)count);
+}
+
+void progress_show_work(progress *bar, double share, size_t count, double work)
+{
   const double now = program_seconds(), spent = now - bar->start;
-  char left[32] = "?", rate[32], cells[WIDTH + 1];
+  char left[32] = "?", rate[64], cells[WIDTH + 1];
   if (dark || now - bar->shown < PERIOD)
     return;
   bar->shown = now;
@@ -49,7 +52,7 @@ void progress_show(progress *bar, double share, size_t count)
   memset(cells, '.', WIDTH);
   memset(cells, '#', full);
   cells[WIDTH] = '\0';
-  format_rate(rate, sizeof rate, (double)count / spent);
+  format_rate(rate, sizeof rate, work / spent, bar->unit);
   if (share > 0)
     format_time(left, sizeof left, spent * (1 - share) / share);
   fprintf(stderr, "\r\033[K%s [%s] %5.1f %%  %zu  %s  %s left", bar->label, cells,

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "program.h"
+#include "statistics.h"
 
 static void check(const void *made)
 {
@@ -65,7 +66,31 @@ void report_append_text(cJSON *list, const char *value)
   cJSON_AddItemToArray(list, entry);
 }
 
-static cJSON *add_object(cJSON *object, const char *key)
+void report_append_real(cJSON *list, double value)
+{
+  char text[40] = "null";
+  if (isfinite(value))
+    snprintf(text, sizeof text, "%.17g", value);
+  cJSON *entry = cJSON_CreateRaw(text);
+  check(entry);
+  cJSON_AddItemToArray(list, entry);
+}
+
+void report_append_count(cJSON *list, size_t value)
+{
+  cJSON *entry = cJSON_CreateNumber((double)value);
+  check(entry);
+  cJSON_AddItemToArray(list, entry);
+}
+
+cJSON *report_new(void)
+{
+  cJSON *made = cJSON_CreateObject();
+  check(made);
+  return made;
+}
+
+cJSON *report_add_object(cJSON *object, const char *key)
 {
   cJSON *made = cJSON_AddObjectToObject(object, key);
   check(made);
@@ -80,8 +105,7 @@ static void add_input(cJSON *root, const input_files *files)
   }
   cJSON *list = report_add_list(root, "input");
   for (size_t i = 0; i < files->count; i++) {
-    cJSON *entry = cJSON_CreateObject();
-    check(entry);
+    cJSON *entry = report_new();
     report_add_text(entry, "file", files->items[i].path);
     report_add_text(entry, "sha256", files->items[i].sha256);
     cJSON_AddItemToArray(list, entry);
@@ -101,38 +125,35 @@ static void add_volumes(cJSON *root, const report *r)
 
 static void add_histogram(cJSON *object, const report *r)
 {
-  size_t used = r->histogram_bins;
-  if (!r->histogram) {
+  size_t used = PACKING_COORDINATION_BINS;
+  if (!r->histogram_known) {
     report_add_text(object, "histogram", NULL);
     return;
   }
   while (used && r->histogram[used - 1] == 0)
     used--;
   cJSON *list = report_add_list(object, "histogram");
-  for (size_t k = 0; k < used; k++) {
-    cJSON *number = cJSON_CreateNumber((double)r->histogram[k]);
-    check(number);
-    cJSON_AddItemToArray(list, number);
-  }
+  for (size_t k = 0; k < used; k++)
+    report_append_count(list, r->histogram[k]);
 }
 
 static void add_structure(cJSON *root, const report *r)
 {
-  cJSON *coordination = add_object(root, "coordination");
+  cJSON *coordination = report_add_object(root, "coordination");
   report_add_real(coordination, "mean", r->coordination_mean);
   report_add_real(coordination, "mean_no_rattlers", r->coordination_mean_no_rattlers);
   report_add_count(coordination, "rattlers", r->rattlers);
   add_histogram(coordination, r);
   report_add_real(coordination, "tolerance", r->coordination_tolerance);
   /* The library has no fabric measure yet. */
-  cJSON *fabric = add_object(root, "fabric");
+  cJSON *fabric = report_add_object(root, "fabric");
   report_add_text(fabric, "eigenvalues", NULL);
   report_add_text(fabric, "sd", NULL);
 }
 
 static void add_audit(cJSON *root, const report *r)
 {
-  cJSON *audit = add_object(root, "audit");
+  cJSON *audit = report_add_object(root, "audit");
   report_add_real(audit, "max_overlap", r->max_overlap);
   report_add_real(audit, "max_protrusion", r->max_protrusion);
   report_add_real(audit, "limit", r->audit_limit);
@@ -144,7 +165,7 @@ static void add_audit(cJSON *root, const report *r)
 
 static void add_psd(cJSON *root, const report *r)
 {
-  cJSON *psd = add_object(root, "psd");
+  cJSON *psd = report_add_object(root, "psd");
   report_add_real(psd, "ks", r->ks);
   report_add_real(psd, "ks_limit", r->ks_limit);
   report_add_real(psd, "ks_mass", r->ks_mass);
@@ -154,7 +175,7 @@ static void add_psd(cJSON *root, const report *r)
 
 static void add_time(cJSON *root, const report *r)
 {
-  cJSON *time = add_object(root, "time");
+  cJSON *time = report_add_object(root, "time");
   report_add_real(time, "place", r->time_place);
   report_add_real(time, "settle", r->time_settle);
   report_add_real(time, "measure", r->time_measure);
@@ -176,30 +197,52 @@ void report_init(report *r)
   r->time_place = r->time_settle = r->time_measure = r->time_total = (double)NAN;
 }
 
-char *report_text(const report *r)
+/* What the packs of one run have in common. */
+static cJSON *shared_object(const report *r, cJSON *options)
 {
-  char *text = NULL;
-  cJSON *root = cJSON_CreateObject();
-  check(root);
+  cJSON *root = report_new();
   report_add_text(root, "program", r->program);
   report_add_text(root, "version", packing_version());
   report_add_text(root, "command", r->command);
-  check(cJSON_AddItemToObject(root, "options", r->options) ? root : NULL);
+  check(cJSON_AddItemToObject(root, "options", options) ? root : NULL);
   add_input(root, r->input);
   report_add_u64(root, "seed", r->seed);
   report_add_count(root, "threads", (size_t)r->threads);
   report_add_count(root, "dim", (size_t)r->dim);
+  return root;
+}
+
+cJSON *report_object(report *r)
+{
+  cJSON *root = shared_object(r, r->options);
   report_add_count(root, "particles", r->particles);
   add_volumes(root, r);
   add_structure(root, r);
   add_audit(root, r);
   add_psd(root, r);
+  if (r->own_key)
+    check(cJSON_AddItemToObject(root, r->own_key, r->own) ? root : NULL);
   add_time(root, r);
-  char *json = cJSON_Print(root);
+  r->options = r->own = NULL;
+  return root;
+}
+
+cJSON *report_packs(const report *shared, cJSON *options, cJSON **packs, size_t count,
+                    size_t sets)
+{
+  cJSON *root = shared_object(shared, options);
+  statistics_add_packs(root, packs, count, sets);
+  return root;
+}
+
+char *report_text(cJSON *object)
+{
+  char *text = NULL;
+  char *json = cJSON_Print(object);
   check(json);
   if (asprintf(&text, "%s\n", json) < 0)
     check(NULL);
   cJSON_free(json);
-  cJSON_Delete(root);
+  cJSON_Delete(object);
   return text;
 }

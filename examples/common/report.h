@@ -23,20 +23,33 @@ typedef struct report {
   double domain_volume, solid_volume, volume_fraction, volume_fraction_inner;
   double coordination_mean, coordination_mean_no_rattlers, coordination_tolerance;
   size_t rattlers;
-  const size_t *histogram; /* NULL: none */
-  size_t histogram_bins;
+  int histogram_known; /* 0: none */
+  size_t histogram[PACKING_COORDINATION_BINS];
   double max_overlap, max_protrusion, audit_limit;
   int audit_passed; /* 1, 0, or -1: not made */
   double ks, ks_limit, ks_mass, mean_relative_error;
   size_t unplaced;
+  const char *own_key; /* of what only this program reports; NULL: nothing */
+  cJSON *own;          /* becomes the report's */
   double time_place, time_settle, time_measure, time_total;
 } report;
 
 /* All unknown. */
 void report_init(report *r);
 
-/* The text, with a newline at its end; free it. Ends the program when memory is out. */
-char *report_text(const report *r);
+/* The report as an object. Functions here end the program when memory is out. */
+cJSON *report_object(report *r);
+
+/* One report of several packs: what they share (with `options`, which becomes the report's),
+ * then "packs" and "mean", "sd" and "cv" of their numbers; where `sets` > 1, "sets" of as many
+ * packs each with the same four, the numbers of all packs, and "set_means", the same three of
+ * the means of the sets. The `count` objects become the report's. Standard deviations are those
+ * of samples (count - 1), null of one; a number that a pack does not have is null in all three. */
+cJSON *report_packs(const report *shared, cJSON *options, cJSON **packs, size_t count,
+                    size_t sets);
+
+/* The text, with a newline at its end; free it. The object is freed. */
+char *report_text(cJSON *object);
 
 /* Numbers of full precision in a JSON object; NaN and REPORT_NONE become null. */
 void report_add_real(cJSON *object, const char *key, double value);
@@ -44,7 +57,13 @@ void report_add_count(cJSON *object, const char *key, size_t value);
 void report_add_u64(cJSON *object, const char *key, uint64_t value);
 void report_add_text(cJSON *object, const char *key, const char *value);
 void report_add_flag(cJSON *object, const char *key, int value);
+cJSON *report_add_object(cJSON *object, const char *key);
 cJSON *report_add_list(cJSON *object, const char *key);
 void report_append_text(cJSON *list, const char *value);
+void report_append_count(cJSON *list, size_t value);
+void report_append_real(cJSON *list, double value);
+
+/* An empty object. */
+cJSON *report_new(void);
 
 #endif

@@ -33,6 +33,9 @@ typedef struct domain_spec {
 } domain_spec;
 
 int domain_spec_parse(const char *text, domain_spec *spec);
+
+/* The length that is the container's height; NULL where it has none, as a sphere. */
+double *domain_spec_height(domain_spec *spec);
 int domain_spec_create(packing_context *context, const domain_spec *spec,
                        packing_domain **domain);
 

@@ -15,24 +15,26 @@ typedef struct kind_row {
   const char *field[4]; /* names of the lengths; NULL past the last */
   domain_kind kind;
   int dim;
-  int can; /* which modifiers make sense */
+  int can;    /* which modifiers make sense */
+  int height; /* which length is the height, from 1; 0: none */
 } kind_row;
 
 static const kind_row kinds[] = {
-    {"box", "box:LX,LY,LZ", {"LX", "LY", "LZ"}, DOMAIN_BOX, 3, PERIODIC | OPEN},
-    {"rect", "rect:LX,LY", {"LX", "LY"}, DOMAIN_RECT, 2, PERIODIC | OPEN},
-    {"cylinder", "cylinder:R,H", {"R", "H"}, DOMAIN_CYLINDER, 3, OPEN | AXIS},
-    {"tube", "tube:RI,RO,H", {"RI", "RO", "H"}, DOMAIN_TUBE, 3, OPEN | AXIS},
-    {"cone", "cone:R0,R1,H", {"R0", "R1", "H"}, DOMAIN_CONE, 3, OPEN | AXIS},
+    {"box", "box:LX,LY,LZ", {"LX", "LY", "LZ"}, DOMAIN_BOX, 3, PERIODIC | OPEN, 3},
+    {"rect", "rect:LX,LY", {"LX", "LY"}, DOMAIN_RECT, 2, PERIODIC | OPEN, 2},
+    {"cylinder", "cylinder:R,H", {"R", "H"}, DOMAIN_CYLINDER, 3, OPEN | AXIS, 2},
+    {"tube", "tube:RI,RO,H", {"RI", "RO", "H"}, DOMAIN_TUBE, 3, OPEN | AXIS, 3},
+    {"cone", "cone:R0,R1,H", {"R0", "R1", "H"}, DOMAIN_CONE, 3, OPEN | AXIS, 3},
     {"silo",
      "silo:R,H,ROUT,HCONE",
      {"R", "H", "ROUT", "HCONE"},
      DOMAIN_SILO,
      3,
-     OPEN | AXIS},
-    {"sphere", "sphere:R", {"R"}, DOMAIN_SPHERE, 3, 0},
-    {"circle", "circle:R", {"R"}, DOMAIN_CIRCLE, 2, 0},
-    {"annulus", "annulus:RI,RO", {"RI", "RO"}, DOMAIN_ANNULUS, 2, 0},
+     OPEN | AXIS,
+     2},
+    {"sphere", "sphere:R", {"R"}, DOMAIN_SPHERE, 3, 0, 0},
+    {"circle", "circle:R", {"R"}, DOMAIN_CIRCLE, 2, 0, 0},
+    {"annulus", "annulus:RI,RO", {"RI", "RO"}, DOMAIN_ANNULUS, 2, 0, 0},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -211,6 +213,14 @@ int domain_spec_parse(const char *text, domain_spec *spec)
   const int code = parse(copy, spec);
   free(copy);
   return code;
+}
+
+double *domain_spec_height(domain_spec *spec)
+{
+  for (size_t i = 0; i < KINDS; i++)
+    if (kinds[i].kind == spec->kind && kinds[i].height > 0)
+      return &spec->size[kinds[i].height - 1];
+  return NULL;
 }
 
 static packing_status create_flat(packing_context *context, const domain_spec *spec,

@@ -3,57 +3,58 @@
  * spins from the forces, positions from the new velocities. */
 #include "stepper_internal.h"
 
-static packing_vec3 fluid_at(const packing_dem *dem, const double *x)
+static void set_vector(double to[4], packing_vec3 v)
 {
-  if (dem->def.fluid == NULL)
-    return dem->def.fluid_velocity;
-  const packing_vec3 at = packing_i_vec(x[0], x[1], x[2]);
-  return dem->def.fluid(dem->def.fluid_user, &at, (double)dem->steps * dem->dt);
+  to[0] = v.x;
+  to[1] = v.y;
+  to[2] = v.z;
+  to[3] = 0;
 }
 
-/* One particle; returns the square of its way since the list was made. */
-static inline double advance(const packing_dem *dem, size_t p, const double g[3],
-                             int spins)
+static packing_i_advance arguments(const packing_dem *dem)
 {
-  double *x = dem->position + PACKING_I_POSITION * p;
-  double *v = dem->motion + PACKING_I_MOTION * p;
-  double *f = dem->force + PACKING_I_FORCE * p;
-  const double *from = dem->built + PACKING_I_POSITION * p;
-  const double dt = dem->dt, drag = dem->def.drag * f[3];
-  double flow[3] = {0, 0, 0}, way2 = 0;
-  if (drag > 0) {
-    const packing_vec3 u = fluid_at(dem, x);
-    flow[0] = u.x;
-    flow[1] = u.y;
-    flow[2] = u.z;
+  const packing_dem_def *def = &dem->def;
+  const double dt = dem->dt, spin_dt = def->rotations ? dt : 0;
+  packing_i_advance a = {
+      .position = dem->position,
+      .motion = dem->motion,
+      .force = dem->force,
+      .built = dem->built,
+      .dt = {dt, dt, dt, 0},
+      .spin_dt = {spin_dt, spin_dt, spin_dt, 0},
+      .keep = {0, 0, 0, 1},
+      .drag = def->drag,
+  };
+  set_vector(a.gravity, def->gravity);
+  set_vector(a.flow, def->fluid_velocity);
+  return a;
+}
+
+/* One by one, each in the flow where it is. */
+static double advance_in_flow(const packing_dem *dem, const packing_i_slab *slab)
+{
+  packing_i_advance a = arguments(dem);
+  const double time = (double)dem->steps * dem->dt;
+  double most = 0;
+  for (size_t p = slab->first; p < slab->first + slab->count; p++) {
+    const double *x = dem->position + PACKING_I_POSITION * p;
+    const packing_vec3 at = packing_i_vec(x[0], x[1], x[2]);
+    set_vector(a.flow, dem->def.fluid(dem->def.fluid_user, &at, time));
+    most = fmax(most, dem->kernels->advance(&a, p, p + 1));
   }
-  for (int k = 0; k < 3; k++) {
-    v[k] += dt * (f[k] * f[3] + g[k] - drag * (v[k] - flow[k]));
-    x[k] += dt * v[k];
-    f[k] = 0;
-    way2 += (x[k] - from[k]) * (x[k] - from[k]);
-  }
-  for (int k = 4; k < 7; k++) {
-    if (spins)
-      v[k] += dt * (f[k] * f[7]);
-    f[k] = 0;
-  }
-  return way2;
+  return most;
 }
 
 static void slab_advance(void *arg, size_t s)
 {
   packing_dem *dem = arg;
   packing_i_slab *slab = &dem->slab[s];
-  const double g[3] = {dem->def.gravity.x, dem->def.gravity.y, dem->def.gravity.z};
-  const int spins = dem->def.rotations;
-  double most = 0;
-  for (size_t p = slab->first; p < slab->first + slab->count; p++) {
-    const double way2 = advance(dem, p, g, spins);
-    if (!(way2 <= most)) /* a NaN becomes infinity, which stays */
-      most = way2 < HUGE_VAL ? way2 : HUGE_VAL;
+  if (dem->def.fluid != NULL) {
+    slab->displaced2 = advance_in_flow(dem, slab);
+    return;
   }
-  slab->displaced2 = most;
+  const packing_i_advance a = arguments(dem);
+  slab->displaced2 = dem->kernels->advance(&a, slab->first, slab->first + slab->count);
 }
 
 void packing_i_dem_integrate(packing_dem *dem)

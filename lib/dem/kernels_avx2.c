@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stepper's kernels for AVX2: four pairs at a time. */
 #include "stepper_internal.h"
+#include <string.h>
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
@@ -130,5 +131,5 @@ TARGET static inline void records_add(double *base, const uint32_t *i, const uin
 
 #include "kernels_body.h"
 
-const packing_i_kernels packing_i_kernels_avx2 = {screen, motion, add};
+const packing_i_kernels packing_i_kernels_avx2 = {screen, motion, add, advance};
 #endif

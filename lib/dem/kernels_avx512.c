@@ -2,6 +2,7 @@
 /* The stepper's kernels for AVX-512: eight pairs at a time. Records are loaded whole and
  * transposed in registers, which takes half the time of gathers. */
 #include "stepper_internal.h"
+#include <string.h>
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
@@ -151,5 +152,5 @@ TARGET static inline void records_add(double *base, const uint32_t *i, const uin
 
 #include "kernels_body.h"
 
-const packing_i_kernels packing_i_kernels_avx512 = {screen, motion, add};
+const packing_i_kernels packing_i_kernels_avx512 = {screen, motion, add, advance};
 #endif

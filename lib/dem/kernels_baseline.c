@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stepper's kernels in plain C: one pair at a time. */
 #include "stepper_internal.h"
+#include <string.h>
 
 #define TARGET
 #define WIDTH 1
@@ -94,7 +95,7 @@ static inline void records_add(double *base, const uint32_t *i, const uint32_t *
 
 #include "kernels_body.h"
 
-const packing_i_kernels packing_i_kernels_baseline = {screen, motion, add};
+const packing_i_kernels packing_i_kernels_baseline = {screen, motion, add, advance};
 
 const packing_i_kernels *packing_i_kernels_for(packing_isa isa)
 {

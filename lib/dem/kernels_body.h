@@ -119,3 +119,45 @@ TARGET static void add(double *force, const packing_i_batch *b)
     records_add(force, b->i + k, b->j + k, lanes, on_i, on_j);
   }
 }
+
+/* The four doubles of half a record go through the same operations, which compilers turn into
+ * vectors: the fourth of each constant in `a` leaves what stands there (r, m, 1/m, 1/J). */
+TARGET static double advance(const packing_i_advance *a, size_t first, size_t end)
+{
+  const packing_i_advance c = *a;
+  double *restrict position = c.position, *restrict motion = c.motion;
+  double *restrict force = c.force;
+  const double *restrict built = c.built;
+  double most[4] = {0, 0, 0, 0}, sum[4] = {0, 0, 0, 0};
+  for (size_t p = first; p < end; p++) {
+    double *x = position + PACKING_I_POSITION * p, *f = force + PACKING_I_FORCE * p;
+    double *v = motion + PACKING_I_MOTION * p;
+    const double *from = built + PACKING_I_POSITION * p;
+    const double inverse = f[3], turn = f[7], drag = c.drag * inverse;
+    double faster[4], spin[4], at[4], rest[4], torque[4];
+    for (int k = 0; k < 4; k++)
+      faster[k] =
+          v[k] + c.dt[k] * (f[k] * inverse + c.gravity[k] - drag * (v[k] - c.flow[k]));
+    for (int k = 0; k < 4; k++)
+      spin[k] = v[k + 4] + c.spin_dt[k] * (f[k + 4] * turn);
+    for (int k = 0; k < 4; k++)
+      at[k] = x[k] + c.dt[k] * faster[k];
+    for (int k = 0; k < 4; k++)
+      rest[k] = f[k] * c.keep[k];
+    for (int k = 0; k < 4; k++)
+      torque[k] = f[k + 4] * c.keep[k];
+    for (int k = 0; k < 4; k++) {
+      const double way2 = (at[k] - from[k]) * (at[k] - from[k]);
+      most[k] = way2 > most[k] ? way2 : most[k];
+      sum[k] += way2;
+    }
+    memcpy(v, faster, sizeof faster);
+    memcpy(v + 4, spin, sizeof spin);
+    memcpy(x, at, sizeof at);
+    memcpy(f, rest, sizeof rest);
+    memcpy(f + 4, torque, sizeof torque);
+  }
+  /* A sum is finite only if all its parts are. */
+  const double total = sum[0] + sum[1] + sum[2];
+  return total < HUGE_VAL ? most[0] + most[1] + most[2] : HUGE_VAL;
+}

@@ -64,7 +64,9 @@ static packing_status check_mass(const packing_dem *dem, size_t i)
 {
   const double *v = dem->motion + PACKING_I_MOTION * i;
   const double r = dem->position[PACKING_I_POSITION * i + 3];
-  if (isnormal(v[3]) && isnormal(v[3] * r * r) && isfinite(1 / (v[3] * r * r)))
+  const double inertia = v[3] * r * r;
+  if (isnormal(v[3]) && isnormal(inertia) && isfinite(1 / v[3] / v[3]) &&
+      isfinite(1 / inertia / inertia))
     return PACKING_OK;
   return packing_i_fail(dem->context, PACKING_ERR_RANGE, "density", i,
                         "particle %zu of radius %g would have a mass of %g", i, r, v[3]);

@@ -15,7 +15,7 @@
  *   like 1 / (4 zeta^2) in the end.
  *
  * The inverse: closed for the force that pulls; for the other a bisection of what stands in the
- * exponent, which rises with zeta. Some ten microseconds at most. */
+ * exponent, which rises with zeta. Some microseconds. */
 #include <float.h>
 #include <math.h>
 #include <packing/dem.h>
@@ -57,7 +57,8 @@ static double zeta_of(double wanted)
   double low = wanted / PI * (1 - 4 * DBL_EPSILON);
   double high = (wanted <= 2 ? wanted / 2 : exp(wanted / 2)) * (1 + 4 * DBL_EPSILON);
   for (;;) {
-    const double middle = high > 2 * low ? sqrt(low * high) : low + (high - low) / 2;
+    const double middle =
+        high > 2 * low ? sqrt(low) * sqrt(high) : low + (high - low) / 2;
     if (!(low < middle && middle < high))
       return high;
     if (decay(middle) < wanted)

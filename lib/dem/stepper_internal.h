@@ -61,6 +61,18 @@ typedef struct packing_i_batch {
   size_t count;
 } packing_i_batch;
 
+/* What moves particles; see integrate.c. */
+typedef struct packing_i_advance {
+  double *position, *motion, *force;
+  const double *built;
+  double dt[4];      /* dt, and 0 */
+  double spin_dt[4]; /* dt, or 0 without rotations; and 0 */
+  double keep[4];    /* 0, and 1 */
+  double gravity[4];
+  double flow[4]; /* of the fluid */
+  double drag;
+} packing_i_advance;
+
 /* The vector work of an instruction set; all give the same bits. */
 typedef struct packing_i_kernels {
   /* Appends the pairs first .. first + count - 1 of a list that are nearer than the sum of their
@@ -74,6 +86,9 @@ typedef struct packing_i_kernels {
                  packing_i_batch *batch);
   /* Adds the forces to i and takes them from j. */
   void (*add)(double *force, const packing_i_batch *batch);
+  /* Moves particles [first, end) and clears their forces. Returns a bound of the squared way since
+   * the list was made, infinite when a position is not finite. */
+  double (*advance)(const packing_i_advance *advance, size_t first, size_t end);
 } packing_i_kernels;
 
 const packing_i_kernels *packing_i_kernels_for(packing_isa isa);
