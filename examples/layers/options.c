@@ -70,7 +70,7 @@ const struct argp_option layers_options_table[] = {
     {"layer-time-max", KEY_LAYER_TIME_MAX, "T", 0,
      "a layer that finds no rest ends after this (default 10 times --layer-time)", 3},
     {"rest-tolerance", KEY_REST_TOLERANCE, "X", 0,
-     "rest: kinetic energy over the sum of m g r below this (default 1e-6), looked at "
+     "rest: kinetic energy over the sum of m g r below this (default 1e-4), looked at "
      "every hundredth of --layer-time once H0 can have been fallen through",
      3},
     {"packs", KEY_PACKS, "N", 0,

@@ -203,14 +203,14 @@ static void fill_in(layers_job *job)
   o->layer_time =
       given(o->layer_time, paper ? EXAMPLE_TIME : sqrt(20 * o->layer_height / job->down));
   o->layer_time_max = given(o->layer_time_max, 10 * o->layer_time);
-  o->rest_tolerance = given(o->rest_tolerance, 1e-6);
+  o->rest_tolerance = given(o->rest_tolerance, 1e-4);
   o->young = given(o->young, 1e8);
   o->poisson = given(o->poisson, 0.25);
   o->damping = given(o->damping, 0.1);
   o->friction = given(o->friction, 0.2);
   o->drag = given(o->drag, paper ? EXAMPLE_DRAG : 0);
   o->slip_velocity =
-      given(o->slip_velocity, 0.01 * sqrt(size_of(job->gravity) * job->mean_r));
+      given(o->slip_velocity, 0.03 * sqrt(size_of(job->gravity) * job->mean_r));
   o->dt = given(o->dt, paper ? EXAMPLE_DT : 0);
 }
 
