@@ -256,7 +256,7 @@ int main(int argc, char **argv)
     small_bed();
     large_bed();
   } else {
-    fprintf(stderr, "usage: bench-dem [START SETTLE TIMED]\n");
+    (void)fprintf(stderr, "usage: bench-dem [START SETTLE TIMED]\n");
     return 2;
   }
   return 0;
