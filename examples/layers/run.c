@@ -88,8 +88,7 @@ static int lay_into(layers_job *job, layered_pack *made, packing_domain *region)
     return 0;
   if (status != PACKING_OK)
     return program_status(job->context, status,
-                          status == PACKING_ERR_GEOMETRY ? "--psd"
-                                                         : "--layer-density");
+                          status == PACKING_ERR_GEOMETRY ? "--psd" : "--layer-density");
   const int code = place(job, made, placer);
   packing_placer_destroy(placer);
   return code;
