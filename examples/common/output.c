@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <libgen.h>
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,13 +35,34 @@ static packing_status write_vtp(const pack *p, const packing_stream *stream)
   return packing_write_vtp(p->context, NULL, &p->view, stream);
 }
 
+/* The coordinate along which an open top is open. */
+static double *upward(const pack *p, packing_vec3 *v)
+{
+  if (p->spec->axis == PACKING_AXIS_X)
+    return &v->x;
+  return p->spec->dim == 2 || p->spec->axis == PACKING_AXIS_Y ? &v->y : &v->z;
+}
+
+/* The container's box, and above an open top as far as particles stand out. */
+static packing_bounds file_box(const pack *p)
+{
+  packing_bounds box;
+  packing_domain_bounds(p->domain, &box);
+  double *end = upward(p, &box.hi);
+  for (size_t i = 0; p->spec->open_top && i < p->view.count; i++) {
+    packing_vec3 centre = pack_centre(p, i);
+    *end = fmax(*end, *upward(p, &centre) + pack_radius(p, i));
+  }
+  return box;
+}
+
 static packing_status write_lammps(const pack *p, const packing_stream *stream)
 {
   packing_lammps_def def;
   packing_lammps_def_init(&def);
   def.dim = p->spec->dim;
   def.density = p->density;
-  packing_domain_bounds(p->domain, &def.box);
+  def.box = file_box(p);
   return packing_write_lammps(p->context, &def, &p->view, stream);
 }
 
@@ -54,7 +76,7 @@ static packing_status write_xyz(const pack *p, const packing_stream *stream)
   packing_xyz_def def;
   packing_xyz_def_init(&def);
   def.periodic = packing_domain_periodic(p->domain);
-  packing_domain_bounds(p->domain, &def.box);
+  def.box = file_box(p);
   return packing_write_xyz(p->context, &def, &p->view, stream);
 }
 

@@ -51,7 +51,9 @@ const struct argp_option layers_options_table[] = {
     {"height", KEY_HEIGHT, "H", 0,
      "height of the bed, in place of the container's (example: 0.5)", 3},
     {"layer-height", KEY_LAYER_HEIGHT, "H0", 0,
-     "height of the space that a layer is laid into (default 0.2 of the height)", 3},
+     "height of the space that a layer is laid into (default 0.2 of the height; where "
+     "that is more, and no example is asked for, 2.5 times the largest diameter)",
+     3},
     {"layer-density", KEY_LAYER_DENSITY, "PHI", 0,
      "volume fraction of that space (default 0.4 in two, 0.25 in three dimensions)", 3},
     {"full", KEY_FULL, "RULE", 0,

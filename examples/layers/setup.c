@@ -198,7 +198,9 @@ static void fill_in(layers_job *job)
 {
   layers_options *o = job->asked;
   const int paper = o->example != NULL;
-  o->layer_height = given(o->layer_height, 0.2 * o->height);
+  /* 2.5 diameters are what example 5.3 has; thinner layers hold little. */
+  const double least = paper ? 0 : 5 * packing_psd_max_r(job->psd);
+  o->layer_height = given(o->layer_height, fmax(0.2 * o->height, least));
   o->layer_density = given(o->layer_density, job->spec.dim == 2 ? 0.4 : 0.25);
   o->layer_time =
       given(o->layer_time, paper ? EXAMPLE_TIME : sqrt(20 * o->layer_height / job->down));

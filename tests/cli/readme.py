@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What README.md shows is what is there: readme.py PROGRAM SOURCE_ROOT."""
+"""What README.md shows is what is there: readme.py PROGRAM SOURCE_ROOT PROGRAM ..."""
 import os
 import re
 import subprocess
@@ -24,12 +24,19 @@ def links_lead_somewhere(_):
         holds(os.path.exists(os.path.join(ROOT, target)), target)
 
 
-def options_exist(program):
-    known = subprocess.run([program, "--help"], capture_output=True, text=True,
-                           check=True).stdout
-    command = re.search(r"```\n(packing-cloud .*?)```", text_of("README.md"), re.S).group(1)
-    for name in re.findall(r"--[a-z-]+", command):
-        holds(re.search(re.escape(name) + r"\b", known), name)
+def options_exist(_):
+    """Of the commands in blocks of their own, line by line."""
+    programs = {os.path.basename(path): path for path in (sys.argv[1], *sys.argv[3:])}
+    known = {name: subprocess.run([path, "--help"], capture_output=True, text=True,
+                                  check=True).stdout for name, path in programs.items()}
+    seen = set()
+    for block in re.findall(r"```\n(packing-.*?)```", text_of("README.md"), re.S):
+        for command in block.replace("\\\n", " ").splitlines():
+            name = command.split()[0]
+            seen.add(name)
+            for option in re.findall(r"--[a-z-]+", command):
+                holds(re.search(re.escape(option) + r"\b", known[name]), command)
+    equal(seen, set(programs), "programs with a command")
 
 
 def handles_are_in_the_headers(_):
