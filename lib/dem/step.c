@@ -152,8 +152,14 @@ packing_status packing_dem_step(packing_dem *dem, uint64_t steps,
                           PACKING_NO_INDEX,
                           "the store has changed or a call failed: reload the stepper");
   dem->loaded = 0; /* until all steps are made */
-  for (uint64_t s = 1; s <= steps; s++)
-    PACKING_I_TRY(one_step(dem, s == steps));
+  const uint64_t before = dem->steps;
+  for (uint64_t s = 1; s <= steps; s++) {
+    const packing_status status = one_step(dem, s == steps);
+    if (status != PACKING_OK) {
+      dem->steps = before; /* as the store is */
+      return status;
+    }
+  }
   dem->loaded = 1;
   packing_i_dem_save(dem);
   if (report == NULL)

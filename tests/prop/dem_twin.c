@@ -24,6 +24,7 @@ typedef struct model {
   double drag;
   double attraction, repulsion, cutoff; /* d^-1 and d^-2; cutoff 0: none */
   double dt;
+  double big; /* radius of one sphere in the middle, 0: none */
 } model;
 
 static double dot(packing_vec3 a, packing_vec3 b)
@@ -225,13 +226,32 @@ static double parted(const dem_scene *s, const dem_body *twin, size_t count)
   return most;
 }
 
+/* Particles of 1 to 3 radii at random, and the big one in place of those that it would touch. */
+static void fill(dem_scene *s, const model *m, double fraction, double ratio,
+                 double speed)
+{
+  dem_scene cloud;
+  scene_of(&cloud, m);
+  dem_cloud(&cloud, 0.01, ratio, fraction, MATERIALS, speed, 11);
+  const dem_body big = {.x = {m->size.x / 2, m->size.y / 2, m->size.z / 2}, .r = m->big};
+  for (size_t i = 0; i < packing_particles_count(cloud.store); i++) {
+    const dem_body b = dem_get(&cloud, i);
+    const packing_vec3 d = plus(b.x, -1, big.x);
+    if (m->big <= 0 || dot(d, d) > (b.r + big.r) * (b.r + big.r))
+      dem_add(s, &b);
+  }
+  if (m->big > 0)
+    dem_add(s, &big);
+  dem_scene_free(&cloud);
+}
+
 /* Steps both, `steps` in all, and holds them against each other on the way. */
 static void compare(const model *m, double fraction, double speed, int steps)
 {
   static dem_body twin[MOST];
   dem_scene s;
   scene_of(&s, m);
-  dem_cloud(&s, 0.01, 3, fraction, MATERIALS, speed, 11);
+  fill(&s, m, fraction, m->big > 0 ? 1 : 3, speed);
   const size_t count = packing_particles_count(s.store);
   assert_true(count > 100 && count <= MOST);
   for (size_t i = 0; i < count; i++)
@@ -267,6 +287,20 @@ static void walls_3d(void **state)
   compare(&m, 0.3, 2, 400);
 }
 
+/* One sphere so big that few interaction distances fit into the cell: the neighbours on either
+ * side are the same. */
+static void narrow_cell_3d(void **state)
+{
+  (void)state;
+  static const double big[] = {0.0395, 0.03};
+  for (int k = 0; k < 2; k++) {
+    model m = common(3, 7);
+    m.size = dem_vec(0.16, 0.159, 0.161);
+    m.big = big[k];
+    compare(&m, 0.25, 2, 400);
+  }
+}
+
 static void mixed_borders_and_material_walls_3d(void **state)
 {
   (void)state;
@@ -288,6 +322,20 @@ static void everything_at_once_3d(void **state)
   m.repulsion = 0.0004;
   m.cutoff = 0.07;
   compare(&m, 0.3, 2, 400);
+}
+
+/* Two or three reaches fit into the cell. */
+static void far_reaching_field_3d(void **state)
+{
+  (void)state;
+  static const double cutoff[] = {0.121, 0.09};
+  for (int k = 0; k < 2; k++) {
+    model m = common(3, 7);
+    m.attraction = 0.02;
+    m.repulsion = 0.0004;
+    m.cutoff = cutoff[k];
+    compare(&m, 0.3, 2, 400);
+  }
 }
 
 static void smooth_without_spin_3d(void **state)
@@ -340,8 +388,10 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(periodic_3d),
       cmocka_unit_test(walls_3d),
+      cmocka_unit_test(narrow_cell_3d),
       cmocka_unit_test(mixed_borders_and_material_walls_3d),
       cmocka_unit_test(everything_at_once_3d),
+      cmocka_unit_test(far_reaching_field_3d),
       cmocka_unit_test(smooth_without_spin_3d),
       cmocka_unit_test(locked_rotations_3d),
       cmocka_unit_test(periodic_2d),
