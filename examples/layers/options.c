@@ -92,7 +92,7 @@ const struct argp_option layers_options_table[] = {
     {"rotations", KEY_ROTATIONS, "on|off", 0, "whether particles spin (default on)", 4},
     {"friction", KEY_FRICTION, "MU", 0, "coefficient of friction (default 0.2)", 4},
     {"slip-velocity", KEY_SLIP_VELOCITY, "V0", 0,
-     "friction grows with the sliding velocity u as u / sqrt(u^2 + V0^2) (default 0.03 "
+     "friction grows with the sliding velocity u as u / sqrt(u^2 + V0^2) (default 0.001 "
      "of "
      "sqrt(g r), r the mean radius)",
      4},

@@ -212,7 +212,7 @@ static void fill_in(layers_job *job)
   o->friction = given(o->friction, 0.2);
   o->drag = given(o->drag, paper ? EXAMPLE_DRAG : 0);
   o->slip_velocity =
-      given(o->slip_velocity, 0.03 * sqrt(size_of(job->gravity) * job->mean_r));
+      given(o->slip_velocity, 0.001 * sqrt(size_of(job->gravity) * job->mean_r));
   o->dt = given(o->dt, paper ? EXAMPLE_DT : 0);
 }
 

@@ -360,7 +360,7 @@ static inline void packing_dem_def_init(packing_dem_def *def)
  *  Walls act all at once, each where a particle touches it; a custom domain acts with its
  *  nearest wall only.
  *  \param context NULL is fine
- *  \param def options
+ *  \param def options, or NULL for the defaults
  *  \param domain the container; kept
  *  \param materials at least one; copied
  *  \param laws `law_count` laws, at most 16, in the order in which they add their forces; kept

@@ -60,18 +60,25 @@ static double displaced2(const packing_dem *dem)
   return most;
 }
 
+/* Squared way of a particle since the list was made; not finite where a position or velocity is
+ * not, or where a velocity is beyond all bounds. */
+static double way2_of(const packing_dem *dem, size_t p)
+{
+  const double *x = dem->position + PACKING_I_POSITION * p;
+  const double *from = dem->built + PACKING_I_POSITION * p;
+  double way2 = 0;
+  for (int k = 0; k < 3; k++)
+    way2 += (x[k] - from[k]) * (x[k] - from[k]);
+  return way2;
+}
+
 /* Says which particle has left the numbers. */
 static packing_status blown_up(packing_dem *dem)
 {
   size_t least = SIZE_MAX;
-  for (size_t p = 0; p < dem->count; p++) {
-    int fine = 1;
-    for (int k = 0; k < 3; k++)
-      fine &= isfinite(dem->position[PACKING_I_POSITION * p + (size_t)k]) &&
-              isfinite(dem->motion[PACKING_I_MOTION * p + (size_t)k]);
-    if (!fine && dem->id[p] < least)
+  for (size_t p = 0; p < dem->count; p++)
+    if (!isfinite(way2_of(dem, p)) && dem->id[p] < least)
       least = dem->id[p];
-  }
   dem->loaded = 0;
   return packing_i_fail(dem->context, PACKING_ERR_UNSTABLE, "particles", least,
                         "particle %zu is no longer finite after step %llu", least,

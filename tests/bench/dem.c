@@ -123,11 +123,12 @@ static packing_particles *tiled(const packing_particles *unit)
   packing_particles_view(unit, &view);
   packing_particles *store = store_of(view.count * TILES * TILES);
   const double *x = view.x.data, *y = view.y.data, *z = view.z.data;
-  for (int tile = 0; tile < TILES * TILES; tile++)
-    for (size_t i = 0; i < view.count; i++) {
-      const packing_vec3 at = {x[i] + tile % TILES, y[i] + tile / TILES, z[i]};
-      must(packing_particles_add(store, at, R, NULL));
-    }
+  for (int row = 0; row < TILES; row++)
+    for (int column = 0; column < TILES; column++)
+      for (size_t i = 0; i < view.count; i++) {
+        const packing_vec3 at = {x[i] + column, y[i] + row, z[i]};
+        must(packing_particles_add(store, at, R, NULL));
+      }
   return store;
 }
 
@@ -220,7 +221,7 @@ static packing_particles *read_start(const char *name)
   }
   while (fscanf(file, "%lf %lf %lf %lf", &at.x, &at.y, &at.z, &r) == 4)
     must(packing_particles_add(store, at, r, NULL));
-  fclose(file);
+  (void)fclose(file);
   return store;
 }
 
@@ -248,14 +249,14 @@ static void beside_peers(const char *start, uint64_t settle, uint64_t timed)
 
 int main(int argc, char **argv)
 {
-  setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* lines as they come, into a log too */
+  (void)setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* lines as they come, into a log too */
   if (argc == 4)
     beside_peers(argv[1], strtoull(argv[2], NULL, 10), strtoull(argv[3], NULL, 10));
   else if (argc == 1) {
     small_bed();
     large_bed();
   } else {
-    fprintf(stderr, "usage: bench-dem [START SETTLE TIMED]\n");
+    (void)fprintf(stderr, "usage: bench-dem [START SETTLE TIMED]\n");
     return 2;
   }
   return 0;

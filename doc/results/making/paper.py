@@ -27,7 +27,7 @@ TABLE = {"5.1": 1, "5.2": 2, "5.3": 3, "5.4": 4}
 HEIGHT = 0.5  # of the asked pack; the base has edges of 1
 # A layer holds so many particles, and a full bed takes so many layers: for estimates only.
 LAYER_COUNT = {"5.1": 128, "5.2": 127, "5.3": 746, "5.4": 724}
-LAYERS = {"5.1": 11, "5.2": 11, "5.3": 12, "5.4": 12}
+LAYERS = {"5.1": 12, "5.2": 12, "5.3": 13, "5.4": 13}
 
 # What the paper claims: the first lies above the second.
 ORDERINGS = tuple(((e, "on"), (e, "off")) for e in EXAMPLES) + (

@@ -13,7 +13,7 @@ PAPER_LAYER_TIME = 1.0
 SLIP_EXAMPLES = ("5.1", "5.3")
 SLIP_FACTORS = {"5.1": (.1, 1, 10), "5.3": (.1, 1)}
 FINE_R = .01
-REST_FACTOR = 2.5  # a layer that ends at rest takes so much longer than 1 s: for estimates
+REST_TIME_MAX = 3.0  # a layer that finds no rest ends then; bounds the cost of that part
 
 
 class Plan:
@@ -23,8 +23,8 @@ class Plan:
         self.quick = quick
         few = (lambda n: min(n, 2)) if quick else (lambda n: n)
         self.table_packs = packs or few(10)
-        self.rest_packs = {2: few(10), 3: few(2)}
-        self.rule_packs = {2: few(10), 3: few(2)}
+        self.rest_packs = {2: few(5), 3: few(1)}
+        self.rule_packs = {2: few(5), 3: few(2)}
         self.time_packs = few(3)
         self.slip_packs = {2: few(10), 3: few(2)}
         self.friction_packs = {2: few(3), 3: few(1)}
@@ -42,13 +42,15 @@ class Plan:
         if slip is not None:
             options += ["--slip-velocity", repr(slip)]
         if end == "rest":
-            time = REST_FACTOR
+            time = REST_TIME_MAX
         if self.quick:
             layer, height = quick_sizes(example, psd)
             options += ["--layer-height", layer, "--height", height]
             time = .05 * layer_time
-            options += (["--layer-time", repr(time)] if end == "time" else
-                        ["--layer-time-max", repr(time)])
+            options += ["--layer-time", repr(time)]
+            options += ["--layer-time-max", repr(4 * time)] if end == "rest" else []
+        elif end == "rest":
+            options += ["--layer-time-max", repr(REST_TIME_MAX)]
         elif end == "time" and layer_time != PAPER_LAYER_TIME:
             options += ["--layer-time", repr(layer_time)]
         layers = paper.LAYERS[example]

@@ -162,7 +162,9 @@ def orderings(results, groups):
 
 
 def rest(results, groups):
-    return (summary(results, groups, "rest") + "\n" + STARRED + "\n" +
+    return (f"A layer ends at rest, or after {parts.REST_TIME_MAX:g} s where it finds none: the "
+            "column says how many did.\n\n" +
+            summary(results, groups, "rest") + "\n" + STARRED + "\n" +
             ordering_table(results, groups, "rest.ordering"))
 
 
