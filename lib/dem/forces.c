@@ -148,6 +148,6 @@ void packing_i_dem_forces(packing_dem *dem, int tally)
   const size_t slabs = (size_t)dem->cut.slabs;
   for (size_t colour = 0; colour < 2; colour++) {
     pass p = {dem, colour, tally};
-    packing_i_parallel(dem->context, (slabs + 1 - colour) / 2, slab_forces, &p);
+    packing_i_dem_run(dem, (slabs + 1 - colour) / 2, slab_forces, &p);
   }
 }

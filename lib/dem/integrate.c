@@ -59,5 +59,5 @@ static void slab_advance(void *arg, size_t s)
 
 void packing_i_dem_integrate(packing_dem *dem)
 {
-  packing_i_parallel(dem->context, (size_t)dem->cut.slabs, slab_advance, dem);
+  packing_i_dem_run(dem, (size_t)dem->cut.slabs, slab_advance, dem);
 }

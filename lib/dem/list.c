@@ -208,8 +208,8 @@ packing_status packing_i_dem_list(packing_dem *dem)
 {
   do {
     PACKING_I_TRY(share_list(dem));
-    packing_i_parallel(dem->context, (size_t)dem->cut.slabs, list_slab, dem);
+    packing_i_dem_run(dem, (size_t)dem->cut.slabs, list_slab, dem);
   } while (!list_fits(dem));
-  packing_i_parallel(dem->context, (size_t)dem->cut.slabs, list_walls, dem);
+  packing_i_dem_run(dem, (size_t)dem->cut.slabs, list_walls, dem);
   return PACKING_OK;
 }

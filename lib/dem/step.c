@@ -154,7 +154,9 @@ packing_status packing_dem_step(packing_dem *dem, uint64_t steps,
   dem->loaded = 0; /* until all steps are made */
   const uint64_t before = dem->steps;
   for (uint64_t s = 1; s <= steps; s++) {
+    packing_i_threads_begin(dem);
     const packing_status status = one_step(dem, s == steps);
+    packing_i_threads_end(dem);
     if (status != PACKING_OK) {
       dem->steps = before; /* as the store is */
       return status;

@@ -153,6 +153,14 @@ typedef struct packing_i_history {
   uint32_t *wall_carried_at; /* by name */
 } packing_i_history;
 
+/* How the last steps went with one thread and with several; see threads.c. */
+typedef struct packing_i_threads {
+  unsigned step; /* of the round */
+  int one;       /* 1: one thread is used */
+  double start;
+  double together, alone; /* seconds of the probes */
+} packing_i_threads;
+
 /* About 310 bytes a particle and 8 a listed pair (some 5 a particle in dense packs). */
 struct packing_dem {
   packing_context *context;
@@ -195,6 +203,7 @@ struct packing_dem {
   size_t list_share;         /* entries set aside for a particle */
   uint32_t *near_wall;       /* particles, by slab */
   packing_i_history history;
+  packing_i_threads threads;
   double skin; /* pairs are listed up to this gap */
   double r_min, r_max;
 };
@@ -226,6 +235,12 @@ packing_status packing_i_dem_rebuild(packing_dem *dem);
 packing_status packing_i_dem_grow(packing_dem *dem, size_t count);
 packing_status packing_i_dem_grow_list(packing_dem *dem, size_t entries);
 void packing_i_dem_release_arrays(packing_dem *dem);
+
+/* Around a step; and packing_i_parallel() with as many threads as pay. */
+void packing_i_threads_begin(packing_dem *dem);
+void packing_i_threads_end(packing_dem *dem);
+void packing_i_dem_run(packing_dem *dem, size_t blocks, packing_block_function fn,
+                       void *arg);
 
 /* Puts a block of `count` entries in place of the pointer at `block`; its contents are lost. */
 packing_status packing_i_dem_renew(packing_dem *dem, void *block, size_t count,
