@@ -24,7 +24,7 @@ static packing_status make_laws(packing_context *context, packing_law *laws[4])
   packing_law_custom_def_init(&custom);
   sliding.slip_velocity = 0.01;
   near_field.attraction = 1e-3;
-  near_field.cutoff = 0.05;
+  near_field.cutoff = 0.03;
   custom.evaluate = ages;
   custom.history_size = 1;
   custom.history_even = 1;
@@ -56,9 +56,9 @@ static packing_status make_materials(packing_context *context,
 static packing_status make_store(packing_context *context, packing_particles **store)
 {
   packing_status status = packing_particles_create(context, NULL, store);
-  for (int i = 0; i < 216 && status == PACKING_OK; i++) {
-    const packing_vec3 at = {0.02 + 0.0201 * (i % 6), 0.02 + 0.0201 * (i / 6 % 6),
-                             0.02 + 0.0201 * (i / 36)};
+  for (int i = 0; i < 125 && status == PACKING_OK; i++) {
+    const packing_vec3 at = {0.02 + 0.0201 * (i % 5), 0.02 + 0.0201 * (i / 5 % 5),
+                             0.02 + 0.0201 * (i / 25)};
     status = packing_particles_add(*store, at, 0.01, NULL);
   }
   return status;
@@ -67,7 +67,7 @@ static packing_status make_store(packing_context *context, packing_particles **s
 /* Squeezes the grid of spheres together, so that pairs become neighbours. */
 static packing_status use(packing_dem *dem, packing_particles *store, uint64_t *hash)
 {
-  double v[217];
+  double v[126];
   packing_view view;
   packing_particles_view(store, &view);
   for (size_t i = 0; i < view.count; i++)
@@ -76,7 +76,7 @@ static packing_status use(packing_dem *dem, packing_particles *store, uint64_t *
   if (status == PACKING_OK)
     status = packing_dem_reload(dem);
   if (status == PACKING_OK)
-    status = packing_dem_step(dem, 40, NULL);
+    status = packing_dem_step(dem, 20, NULL);
   const packing_vec3 extra = {0.3, 0.3, 0.3};
   if (status == PACKING_OK)
     status = packing_particles_add(store, extra, 0.05, NULL);
@@ -85,7 +85,7 @@ static packing_status use(packing_dem *dem, packing_particles *store, uint64_t *
   /* What is refused for want of memory in a step leaves the store as it was. */
   const uint64_t before = dem_hash(store);
   if (status == PACKING_OK) {
-    status = packing_dem_step(dem, 60, NULL);
+    status = packing_dem_step(dem, 20, NULL);
     assert_true(status == PACKING_OK || dem_hash(store) == before);
   }
   if (status == PACKING_OK)
@@ -141,7 +141,7 @@ static void step_out_of_memory(void **state)
   (void)state;
   test_allocator a = {0};
   dem_scene s;
-  dem_scene_init(&s, test_box(0.3, 0.3, 0.3, 0));
+  dem_scene_init(&s, test_box(0.2, 0.2, 0.2, 0));
   s.context = test_allocator_context(&a);
   dem_material(&s, 1000, 1e4, 0.25, 0, 0);
   dem_hertz(&s, 0);
@@ -149,7 +149,7 @@ static void step_out_of_memory(void **state)
   dem_cloud(&s, 0.01, 1, 0.05, 1, 0, 5);
   for (size_t i = 0; i < packing_particles_count(s.store); i++) {
     dem_body b = dem_get(&s, i);
-    b.v = dem_vec(20 * (0.15 - b.x.x), 20 * (0.15 - b.x.y), 20 * (0.15 - b.x.z));
+    b.v = dem_vec(20 * (0.1 - b.x.x), 20 * (0.1 - b.x.y), 20 * (0.1 - b.x.z));
     dem_put(&s, i, &b);
   }
   s.def.dt = 1e-4;
@@ -188,12 +188,12 @@ static void steps_take_no_memory_once_warm(void **state)
       assert_ok(packing_law_create_custom(NULL, &custom, &law));
       dem_law(&s, law);
     }
-    dem_cloud(&s, 0.008, 2, 0.3, 1, 1, 5);
+    dem_cloud(&s, 0.012, 2, 0.3, 1, 1, 5);
     s.def.dt = 2e-5;
     dem_start(&s);
-    const uint64_t rebuilds = dem_run(&s, 1500).rebuilds;
+    const uint64_t rebuilds = dem_run(&s, 1000).rebuilds;
     const size_t warm = a.requests;
-    assert_true(dem_run(&s, 1500).rebuilds > rebuilds + 5);
+    assert_true(dem_run(&s, 1000).rebuilds > rebuilds + 5);
     assert_int_equal(a.requests, warm);
     assert_true(packing_dem_bytes(s.dem) >= a.bytes / 2 &&
                 packing_dem_bytes(s.dem) <= 2 * a.bytes);
