@@ -17,7 +17,7 @@ static double max_speed2(const packing_dem *dem)
  * few pairs are listed in vain, and never so thick that the list is mostly that. */
 static double choose_skin(const packing_dem *dem)
 {
-  const double least = 0.05 * dem->r_min, most = 0.4 * 0.5 * (dem->r_min + dem->r_max);
+  const double least = 0.1 * dem->r_min, most = 0.4 * 0.5 * (dem->r_min + dem->r_max);
   const double wanted = 40 * dem->dt * sqrt(max_speed2(dem));
   return wanted < least ? least : wanted < most ? wanted : most;
 }
