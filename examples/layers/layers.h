@@ -19,6 +19,10 @@ typedef enum layer_end { LAYER_END_REST, LAYER_END_TIME } layer_end;
 /* When the bed is full: no column ends below the height, or the highest particle reaches it. */
 typedef enum full_rule { FULL_BED, FULL_HIGHEST } full_rule;
 
+/* Where the space for a layer begins: above the highest particle, or where the lowest column of
+ * the bed ends, the higher parts standing in the way. */
+typedef enum layer_start { LAYER_START_HIGHEST, LAYER_START_BED } layer_start;
+
 enum { LAYERS_MOST = 4096, PACKS_MOST = 1000 };
 
 /* What can be asked; reals are NaN where not given. */
@@ -33,6 +37,7 @@ typedef struct layers_options {
   double layer_time, layer_time_max, rest_tolerance, dt;
   double young, poisson, damping, friction, drag, slip_velocity;
   layer_end end;
+  layer_start start;
   full_rule full;
   packing_arm arm;
   int rotations, pull, disc_mass, material_walls;
@@ -47,7 +52,8 @@ error_t layers_options_parse(int key, char *argument, struct argp_state *state);
 
 /* The names of choices, in the order of their values. */
 extern const char *const layers_end_names[],
-    *const layers_full_names[], *const layers_arm_names[], *const layers_wall_names[];
+    *const layers_start_names[],
+        *const layers_full_names[], *const layers_arm_names[], *const layers_wall_names[];
 
 /* Vertical columns of two mean diameters' width over the cross-section. */
 typedef struct columns {

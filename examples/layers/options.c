@@ -13,6 +13,7 @@ enum {
   KEY_LAYER_HEIGHT,
   KEY_LAYER_DENSITY,
   KEY_FULL,
+  KEY_LAYER_START,
   KEY_MAX_LAYERS,
   KEY_LAYER_END,
   KEY_LAYER_TIME,
@@ -64,6 +65,12 @@ const struct argp_option layers_options_table[] = {
     {"max-layers", KEY_MAX_LAYERS, "N", 0, "give up after so many (default 1000)", 3},
     {"layer-end", KEY_LAYER_END, "rest|time", 0,
      "a layer ends at rest (default) or after --layer-time", 3},
+    {"layer-start", KEY_LAYER_START, "WHERE", 0,
+     "where that space begins: highest (default), above the highest particle; bed, where "
+     "the lowest column of two mean diameters' width ends, the rest of the bed standing "
+     "in "
+     "the way",
+     3},
     {"layer-time", KEY_LAYER_TIME, "T", 0,
      "time for a layer (default: that in which 10 times H0 are fallen through, 1.0 in "
      "the "
@@ -129,6 +136,7 @@ const struct argp_option layers_options_table[] = {
 };
 
 const char *const layers_end_names[] = {"rest", "time", NULL};
+const char *const layers_start_names[] = {"highest", "bed", NULL};
 const char *const layers_full_names[] = {"bed", "highest", NULL};
 const char *const layers_arm_names[] = {"contact", "radius", NULL};
 const char *const layers_wall_names[] = {"rigid", "material", NULL};
@@ -216,6 +224,10 @@ static int read_word(int key, const char *text, layers_options *o)
     return code;
   case KEY_DIM:
     return number_whole("--dim", text, 2, 3, &o->dim);
+  case KEY_LAYER_START:
+    code = read_choice("--layer-start", text, layers_start_names, &choice);
+    o->start = (layer_start)choice;
+    return code;
   case KEY_FULL:
     code = read_choice("--full", text, layers_full_names, &choice);
     o->full = (full_rule)choice;

@@ -22,6 +22,7 @@ static void report_bed(cJSON *all, const layers_options *o)
   report_add_real(all, "height", o->height);
   report_add_real(all, "layer_height", o->layer_height);
   report_add_real(all, "layer_density", o->layer_density);
+  report_add_text(all, "layer_start", layers_start_names[o->start]);
   report_add_text(all, "full", layers_full_names[o->full]);
   report_add_u64(all, "max_layers", o->max_layers);
   report_add_text(all, "layer_end", layers_end_names[o->end]);

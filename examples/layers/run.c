@@ -112,7 +112,8 @@ static int lay(layers_job *job, layered_pack *made)
   packing_domain *region = NULL;
   made->layers = program_take_more(made->layers, made->count + 1, sizeof *made->layers);
   memset(&made->layers[made->count++], 0, sizeof *made->layers);
-  int code = layers_region(job, job->floor + made->highest, &region);
+  const double base = job->asked->start == LAYER_START_BED ? made->bed : made->highest;
+  int code = layers_region(job, job->floor + base, &region);
   if (!code && region)
     code = lay_into(job, made, region);
   packing_domain_destroy(region);

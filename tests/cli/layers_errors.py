@@ -84,6 +84,7 @@ TESTS = [
              ["--disc-mass"])),
     option("--arm", "long", words=["--arm", "'long'", "contact", "radius"]),
     option("--walls", "soft", words=["--walls", "'soft'", "rigid", "material"]),
+    option("--layer-start", "floor", words=["--layer-start", "'floor'", "highest", "bed"]),
     option("--full", "half", words=["--full", "'half'", "bed", "highest"]),
     option("--layer-end", "never", words=["--layer-end", "'never'", "rest", "time"]),
     option("--gravity", "0", words=["--gravity"]),

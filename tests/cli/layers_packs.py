@@ -103,6 +103,18 @@ def layers_are_laid_as_asked(program):
     holds("--max-layers" in said and "of 0.15" in said, said)
 
 
+def layers_may_start_in_the_bed(program):
+    lower, low_files, _ = made(program, *FLAT, *QUICK, "--layer-start", "bed")
+    higher, high_files, _ = made(program, *FLAT, *QUICK)
+    half = math.pi * 0.01 ** 2 / 2 / 0.015
+    for density in lower["layers"]["density"]:  # the bed takes some of the room
+        holds(0.2 < density <= 0.4 + half, density)
+    equal((lower["audit"]["passed"], lower["layers"]["stopped"]), (True, "full"), "pack")
+    equal(lower["options"]["layer_start"], "bed", "option")
+    equal(higher["options"]["layer_start"], "highest", "default")
+    holds(low_files != high_files, "another pack")
+
+
 def saturated_layers_are_said(program):
     report, _, said = made(program, *FLAT, *QUICK, "--layer-density", "0.53")
     holds("no further particle fits" in said and "of the 0.53 asked" in said, said)
@@ -310,7 +322,7 @@ def help_mentions_every_option(program):
         equal((result.code, result.err), (DONE, ""), "exit code, standard error")
         text = result.out.decode()
         for name in ("example dim domain psd density height layer-height layer-density full "
-                     "max-layers layer-end layer-time layer-time-max rest-tolerance packs "
+                     "max-layers layer-start layer-end layer-time layer-time-max rest-tolerance packs "
                      "sets gravity rotations friction slip-velocity young poisson damping "
                      "pull drag near-field disc-mass arm walls dt seed stream threads isa out "
                      "sheet report max-overlap plot-sizes colour quiet version help").split():
@@ -321,7 +333,7 @@ def help_mentions_every_option(program):
 
 main([(test.__name__.replace("_", " "), test) for test in (
     discs_fill_a_rectangle, every_column_is_full, spheres_come_to_rest,
-    layers_are_laid_as_asked, saturated_layers_are_said, a_layer_without_rest_ends,
+    layers_are_laid_as_asked, layers_may_start_in_the_bed, saturated_layers_are_said, a_layer_without_rest_ends,
     any_machine_makes_the_same_bytes, packs_have_statistics, sets_have_statistics,
     a_pack_alone_is_the_same, containers_of_every_kind, options_reach_the_stepper,
     examples_are_the_papers, stops_when_told, help_mentions_every_option)])
