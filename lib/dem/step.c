@@ -127,12 +127,9 @@ static void fill_report(const packing_dem *dem, packing_dem_report *report)
   report->kinetic_per_mgr = weight > 0 ? report->kinetic_energy / weight : (double)NAN;
   report->max_speed = sqrt(max_speed2(dem));
   report->rebuilds = dem->rebuilds;
-  for (int s = 0; s < dem->cut.slabs; s++) {
-    const packing_i_slab *slab = &dem->slab[s];
-    report->contacts += slab->contacts;
-    report->wall_contacts += slab->wall_contacts;
-    report->max_overlap = fmax(report->max_overlap, slab->max_overlap);
-  }
+  report->contacts = dem->contacts;
+  report->wall_contacts = dem->wall_contacts;
+  report->max_overlap = dem->max_overlap;
 }
 
 packing_status packing_dem_step(packing_dem *dem, uint64_t steps,
