@@ -72,13 +72,18 @@ static double way2_of(const packing_dem *dem, size_t p)
   return way2;
 }
 
-/* Says which particle has left the numbers. */
+/* Says which particle has left the numbers: that of the longest way, of several the first. */
 static packing_status blown_up(packing_dem *dem)
 {
   size_t least = SIZE_MAX;
-  for (size_t p = 0; p < dem->count; p++)
-    if (!isfinite(way2_of(dem, p)) && dem->id[p] < least)
-      least = dem->id[p];
+  double most = 0;
+  for (size_t p = 0; p < dem->count; p++) {
+    const double way2 = way2_of(dem, p), way = way2 < HUGE_VAL ? way2 : HUGE_VAL;
+    if (way < most || (!(way > most) && dem->id[p] >= least))
+      continue;
+    most = way;
+    least = dem->id[p];
+  }
   dem->loaded = 0;
   return packing_i_fail(dem->context, PACKING_ERR_UNSTABLE, "particles", least,
                         "particle %zu is no longer finite after step %llu", least,
