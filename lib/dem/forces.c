@@ -143,6 +143,19 @@ static void slab_forces(void *arg, size_t block)
   packing_i_dem_wall_forces(dem, slab, &batch, p->tally);
 }
 
+/* At once, since the slabs change when the list is made again. */
+static void add_up(packing_dem *dem)
+{
+  dem->contacts = dem->wall_contacts = 0;
+  dem->max_overlap = 0;
+  for (int s = 0; s < dem->cut.slabs; s++) {
+    const packing_i_slab *slab = &dem->slab[s];
+    dem->contacts += slab->contacts;
+    dem->wall_contacts += slab->wall_contacts;
+    dem->max_overlap = fmax(dem->max_overlap, slab->max_overlap);
+  }
+}
+
 void packing_i_dem_forces(packing_dem *dem, int tally)
 {
   const size_t slabs = (size_t)dem->cut.slabs;
@@ -150,4 +163,6 @@ void packing_i_dem_forces(packing_dem *dem, int tally)
     pass p = {dem, colour, tally};
     packing_i_dem_run(dem, (slabs + 1 - colour) / 2, slab_forces, &p);
   }
+  if (tally)
+    add_up(dem);
 }

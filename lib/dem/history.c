@@ -52,7 +52,7 @@ size_t packing_i_history_bytes(const packing_dem *dem)
   const packing_i_history *h = &dem->history;
   const size_t number = h->size * sizeof(double), wall = number + sizeof(uint64_t);
   return (size_t)PACKING_I_SLABS * PACKING_I_ROOM * number +
-         h->particles * (2 * WALLS * wall + 2 * sizeof(uint32_t)) +
+         h->particles * (2 * (size_t)WALLS * wall + 2 * sizeof(uint32_t)) +
          h->pairs * (number + sizeof(uint64_t)) +
          h->carried_room * (number + sizeof(uint32_t));
 }

@@ -58,7 +58,9 @@ TARGET static void motion(const double *motion, int touching, int arms_at_radius
                           packing_i_batch *b)
 {
   const vector one = vector_all(1), none = vector_all(0);
-  for (size_t k = 0; k < b->count; k += WIDTH) {
+  const size_t whole =
+      (b->count + 7) / 8 * 8; /* laws may read as far, whatever WIDTH is */
+  for (size_t k = 0; k < whole; k += WIDTH) {
     vector vi[4], vj[4], wi[4], wj[4];
     records_load(motion, PACKING_I_MOTION, b->i + k, vi);
     records_load(motion, PACKING_I_MOTION, b->j + k, vj);

@@ -9,6 +9,9 @@
 /* Fewer particles than this do not make a slab of their own. */
 enum { SLAB_PARTICLES = 48 };
 
+/* No axis needs more cells; the product of three is finite, however far a particle has flown. */
+#define MOST_WANTED 0x1p300
+
 static double coordinate(const packing_dem *dem, size_t p, int axis)
 {
   return dem->position[PACKING_I_POSITION * p + (size_t)axis];
@@ -71,8 +74,11 @@ static int class_of(const packing_dem *dem, double r)
   if (dem->reach > 0)
     return 0;
   int c = 0;
-  for (double least = 0.5 * dem->r_max; r <= least && c < PACKING_I_CLASSES - 1; c++)
+  double least = 0.5 * dem->r_max;
+  while (r <= least && c < PACKING_I_CLASSES - 1) {
     least *= 0.5;
+    c++;
+  }
   return c;
 }
 
@@ -85,7 +91,7 @@ static void cut_cells(const packing_dem *dem, packing_i_cut *cut, packing_i_clas
   const size_t most = (2 * particles + 64) / (size_t)cut->slabs + 8;
   double want[3], product = 1;
   for (int k = 0; k < 3; k++) {
-    want[k] = fmax(1, extent[k] / edge);
+    want[k] = fmin(fmax(1, extent[k] / edge), MOST_WANTED);
     product *= want[k];
   }
   for (; product > (double)most; product *= 0.5) {

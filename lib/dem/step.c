@@ -72,13 +72,18 @@ static double way2_of(const packing_dem *dem, size_t p)
   return way2;
 }
 
-/* Says which particle has left the numbers. */
+/* Says which particle has left the numbers: that of the longest way, of several the first. */
 static packing_status blown_up(packing_dem *dem)
 {
   size_t least = SIZE_MAX;
-  for (size_t p = 0; p < dem->count; p++)
-    if (!isfinite(way2_of(dem, p)) && dem->id[p] < least)
-      least = dem->id[p];
+  double most = 0;
+  for (size_t p = 0; p < dem->count; p++) {
+    const double way2 = way2_of(dem, p), way = way2 < HUGE_VAL ? way2 : HUGE_VAL;
+    if (way < most || (!(way > most) && dem->id[p] >= least))
+      continue;
+    most = way;
+    least = dem->id[p];
+  }
   dem->loaded = 0;
   return packing_i_fail(dem->context, PACKING_ERR_UNSTABLE, "particles", least,
                         "particle %zu is no longer finite after step %llu", least,
@@ -127,12 +132,9 @@ static void fill_report(const packing_dem *dem, packing_dem_report *report)
   report->kinetic_per_mgr = weight > 0 ? report->kinetic_energy / weight : (double)NAN;
   report->max_speed = sqrt(max_speed2(dem));
   report->rebuilds = dem->rebuilds;
-  for (int s = 0; s < dem->cut.slabs; s++) {
-    const packing_i_slab *slab = &dem->slab[s];
-    report->contacts += slab->contacts;
-    report->wall_contacts += slab->wall_contacts;
-    report->max_overlap = fmax(report->max_overlap, slab->max_overlap);
-  }
+  report->contacts = dem->contacts;
+  report->wall_contacts = dem->wall_contacts;
+  report->max_overlap = dem->max_overlap;
 }
 
 packing_status packing_dem_step(packing_dem *dem, uint64_t steps,

@@ -81,7 +81,8 @@ typedef struct packing_i_kernels {
                  const uint32_t *list_i, const uint32_t *list_j, size_t first,
                  size_t count, packing_i_batch *batch);
   /* Distances become lengths, dx dy dz unit normals; the rest of the kinematics is filled in and
-   * forces are cleared. Works on whole vectors: entries after the last must hold valid ones. */
+   * forces are cleared. Works up to the next multiple of 8: entries after the last must hold
+   * valid ones. */
   void (*motion)(const double *motion, int touching, int arms_at_radius,
                  packing_i_batch *batch);
   /* Adds the forces to i and takes them from j. */
@@ -195,6 +196,8 @@ struct packing_dem {
 
   packing_i_cut cut;
   packing_i_slab slab[PACKING_I_SLABS];
+  size_t contacts, wall_contacts; /* of the last step that was tallied */
+  double max_overlap;
   uint32_t *cell_start; /* by slab and cell, one more at the end */
   size_t cell_capacity;
 
@@ -252,7 +255,7 @@ packing_status packing_i_dem_load(packing_dem *dem);
 /* Writes positions, velocities and spins to the store. */
 void packing_i_dem_save(const packing_dem *dem);
 
-/* Forces of all contacts; `tally`: count them, too. */
+/* Forces of all contacts; `tally`: count them, too, into the stepper. */
 void packing_i_dem_forces(packing_dem *dem, int tally);
 
 /* Particles that touch walls, for a slab: adds their forces. */

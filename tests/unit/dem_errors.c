@@ -573,6 +573,25 @@ static void particles_too_fast_for_numbers(void **state)
   dem_scene_free(&s);
 }
 
+/* So far apart that the volume between them is beyond all numbers, though each place is one. */
+static void particles_too_far_apart_for_a_volume(void **state)
+{
+  (void)state;
+  dem_scene s;
+  sound(&s, 0);
+  for (size_t k = 0; k < 4; k++) {
+    dem_body b = dem_get(&s, k);
+    const double v = 1e110 * (1 + (double)k);
+    b.v = dem_vec(v, v, v);
+    dem_put(&s, k, &b);
+  }
+  assert_ok(packing_dem_create(s.context, &s.def, s.domain, s.materials, NULL, 0, s.store,
+                               &s.dem));
+  dem_run(&s, 3);
+  assert_close(dem_get(&s, 0).x.x, 3e105, 1e-9);
+  dem_scene_free(&s);
+}
+
 static void masses_must_be_numbers(void **state)
 {
   (void)state;
@@ -762,6 +781,7 @@ int main(void)
       cmocka_unit_test(too_many_laws),
       cmocka_unit_test(particles_that_leave_the_numbers),
       cmocka_unit_test(particles_too_fast_for_numbers),
+      cmocka_unit_test(particles_too_far_apart_for_a_volume),
       cmocka_unit_test(masses_must_be_numbers),
       cmocka_unit_test(store_of_another_size),
       cmocka_unit_test(failed_reload),

@@ -463,6 +463,46 @@ static void what_a_stepper_is_made_from_may_go(void **state)
   assert_true(hash[0] == hash[1]);
 }
 
+/* Counts entries up to the next multiple of 8 that are no ordinary numbers. */
+static void look_beyond(void *user, const packing_contact_batch *b)
+{
+  size_t *odd = user;
+  const double *const columns[] = {b->nx,      b->ny,        b->nz,        b->distance,
+                                   b->overlap, b->reduced_r, b->reduced_m, b->approach,
+                                   b->ux,      b->uy,        b->uz,        b->normal,
+                                   b->fx,      b->fy,        b->fz};
+  for (size_t c = 0; c < sizeof columns / sizeof *columns; c++)
+    for (size_t k = b->count; k % 8 != 0; k++)
+      *odd += columns[c][k] != columns[c][b->count - 1];
+  for (size_t k = b->count; b->pair != NULL && k % 8 != 0; k++)
+    *odd += b->pair[k] != b->pair[b->count - 1];
+}
+
+/* What a law may read past the last pair is the last pair again, whatever the vectors' width. */
+static void numbers_past_the_last_pair(void **state)
+{
+  (void)state;
+  for (int isa = PACKING_ISA_BASELINE; isa < PACKING_ISA_END; isa++)
+    for (int reach = 0; reach < 2; reach++) {
+      if (!packing_isa_available((packing_isa)isa))
+        continue;
+      size_t odd = 0;
+      dem_scene s;
+      dem_scene_init(&s, test_box(0.25, 0.25, 0.25, 1));
+      s.context = test_context(1, (packing_isa)isa);
+      dem_material(&s, 1000, 1e6, 0.25, 0.1, 0.3);
+      dem_material(&s, 2000, 1e6, 0.25, 0.1, 0.3);
+      dem_law(&s, custom(look_beyond, &odd, 0, 0, reach ? 0.03 : 0));
+      dem_cloud(&s, 0.01, 2, 0.3, 2, 1, 9);
+      s.def.dt = 1e-4;
+      dem_start(&s);
+      for (int k = 0; k < 50; k++)
+        dem_run(&s, 1);
+      assert_int_equal(odd, 0);
+      dem_scene_free(&s);
+    }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -474,6 +514,7 @@ int main(void)
       cmocka_unit_test(a_law_is_told_of_a_wall),
       cmocka_unit_test(a_law_with_a_reach),
       cmocka_unit_test(what_a_stepper_is_made_from_may_go),
+      cmocka_unit_test(numbers_past_the_last_pair),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
