@@ -214,6 +214,12 @@ static int step(layers_job *job, layered_pack *made, const pace *p)
   while (done < p->last && !here->rested && !interrupted()) {
     const uint64_t steps = next_steps(p, done);
     const packing_status status = packing_dem_step(made->dem, steps, &made->moved);
+    if (status == PACKING_ERR_UNSTABLE)
+      return program_fail(PROGRAM_BAD_INPUT,
+                          "--dt: %s; a shorter step, or with much friction a larger "
+                          "--slip-velocity than %.3g, may hold it",
+                          packing_context_message(job->context),
+                          job->asked->slip_velocity);
     if (status != PACKING_OK)
       return stepper_status(job, status);
     done += steps;
