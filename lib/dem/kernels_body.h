@@ -54,6 +54,8 @@ TARGET static void screen(const double *position, const packing_i_images *images
   b->count = held;
 }
 
+/* Campello and Cassares, equations 6 (n), 8 and 11 (r*, m*), 9 (overlap), 14 (u, with the spins)
+ * and 15 (arms). */
 TARGET static void motion(const double *motion, int touching, int arms_at_radius,
                           packing_i_batch *b)
 {
@@ -104,6 +106,7 @@ TARGET static void motion(const double *motion, int touching, int arms_at_radius
   }
 }
 
+/* Equations 2 and 15: forces, opposite on j, and moments a n x f of the same sign on both. */
 TARGET static void add(double *force, const packing_i_batch *b)
 {
   const vector none = vector_all(0);

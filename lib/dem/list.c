@@ -161,6 +161,13 @@ static void list_slab(void *arg, size_t s)
     f.list_i[k] = f.list_j[k] = 0;
 }
 
+/* Room for each slab's pairs, by its particles. */
+static void set_rooms(packing_dem *dem)
+{
+  for (int s = 0; s < dem->cut.slabs; s++)
+    dem->slab[s].list_room = dem->slab[s].count * dem->list_share;
+}
+
 /* Cuts the list into the slabs' parts. */
 static packing_status share_list(packing_dem *dem)
 {
@@ -168,24 +175,37 @@ static packing_status share_list(packing_dem *dem)
   for (int s = 0; s < dem->cut.slabs; s++) {
     packing_i_slab *slab = &dem->slab[s];
     slab->list_first = total;
-    slab->list_room = slab->count * dem->list_share;
     total += slab->list_room + PACKING_I_LIST_SLACK;
   }
   return total <= dem->list_capacity ? PACKING_OK : packing_i_dem_grow_list(dem, total);
 }
 
-/* Whether all pairs found room; else more is set aside. */
+/* Whether all pairs found room; else more is set aside, from now on for every slab, unless that
+ * would be far more than there are pairs: a large particle alone in its slab has many. */
 static int list_fits(packing_dem *dem)
 {
-  size_t share = 0;
+  size_t share = 0, pairs = 0;
   for (int s = 0; s < dem->cut.slabs; s++) {
-    const packing_i_slab *slab = &dem->slab[s];
-    if (slab->list_count > slab->list_room && slab->list_count / slab->count >= share)
+    packing_i_slab *slab = &dem->slab[s];
+    pairs += slab->list_count;
+    if (slab->list_count <= slab->list_room)
+      continue;
+    slab->list_room = slab->list_count;
+    if (slab->list_count / slab->count >= share)
       share = slab->list_count / slab->count + 1;
   }
-  if (share > 0)
-    dem->list_share = share + share / 4;
-  return share == 0;
+  if (share == 0)
+    return 1;
+  const size_t most = 4 * (pairs / dem->count + 2);
+  share += share / 4;
+  share = share < most ? share : most;
+  dem->list_share = share > dem->list_share ? share : dem->list_share;
+  for (int s = 0; s < dem->cut.slabs; s++) {
+    packing_i_slab *slab = &dem->slab[s];
+    const size_t room = slab->count * dem->list_share;
+    slab->list_room = slab->list_room > room ? slab->list_room : room;
+  }
+  return 0;
 }
 
 /* Particles that may come to a wall before the list is made again. */
@@ -206,6 +226,7 @@ static void list_walls(void *arg, size_t s)
 
 packing_status packing_i_dem_list(packing_dem *dem)
 {
+  set_rooms(dem);
   do {
     PACKING_I_TRY(share_list(dem));
     packing_i_dem_run(dem, (size_t)dem->cut.slabs, list_slab, dem);

@@ -103,7 +103,7 @@ static packing_status check_periods(const packing_dem *dem)
   return PACKING_OK;
 }
 
-/* The first pair, by the store's order, that overlaps too much. */
+/* Refuses a pair that overlaps too much: the message names the one that does most. */
 static packing_status check_overlaps(const packing_dem *dem)
 {
   size_t worst_i = PACKING_NO_INDEX, worst_j = 0;

@@ -94,11 +94,12 @@ static void cut_cells(const packing_dem *dem, packing_i_cut *cut, packing_i_clas
     want[k] = fmin(fmax(1, extent[k] / edge), MOST_WANTED);
     product *= want[k];
   }
-  for (; product > (double)most; product *= 0.5) {
+  while (product > (double)most) {
     int widest = 0;
     for (int k = 1; k < 3; k++)
       widest = want[k] > want[widest] ? k : widest;
     want[widest] *= 0.5;
+    product *= 0.5;
   }
   for (int k = 0; k < 3; k++) {
     class->cells[k] = whole(want[k], (int)most);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts with walls: r* = r, m* = m, the wall stands still (formula F3 of the method note). */
+/* Contacts with walls: r* = r, m* = m, the wall stands still ("Walls" in doc/methods/dem.md;
+ * equations 7 to 15 as for pairs). */
 #include "stepper_internal.h"
 #include <string.h>
 

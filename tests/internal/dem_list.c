@@ -278,11 +278,43 @@ static void contacts_are_counted_when_slabs_change(void **state)
   dem_scene_free(&s);
 }
 
+/* A large sphere alone in its slab, right below a slab full of small ones, has hundreds of
+ * neighbours: no reason to set aside as many for each small one. */
+static void room_goes_by_pairs(void **state)
+{
+  (void)state;
+  const double large = 10, small = 0.5;
+  dem_scene s;
+  dem_scene_init(&s, test_box(22, 22, 200, 0));
+  dem_material(&s, 1, 1, 0.25, 0, 0);
+  dem_hertz(&s, 0);
+  dem_body b = {.x = {1, 1, 1}, .v = {100, 0, 0}, .r = small}; /* for a thick skin */
+  dem_add(&s, &b);
+  b = (dem_body){.x = {11, 11, 19.9}, .r = large};
+  dem_add(&s, &b);
+  const packing_vec3 middle = b.x;
+  b.r = small;
+  for (int k = 0; k < 21 * 21 * 46; k++) {
+    b.x = dem_vec(1 + k % 21, 1 + k / 21 % 21, 23.5 + k / 441);
+    if (packing_i_norm(packing_i_sub(b.x, middle)) > large + small)
+      dem_add(&s, &b);
+  }
+  s.def.dt = 1e-3;
+  dem_start(&s);
+  size_t pairs = 0;
+  for (int k = 0; k < s.dem->cut.slabs; k++)
+    pairs += s.dem->slab[k].list_count;
+  assert_true(s.dem->slab[0].count == 2 && s.dem->slab[0].list_count > 500);
+  assert_true(s.dem->list_capacity < 7 * pairs);
+  dem_scene_free(&s);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(lists_hold_all_pairs),
       cmocka_unit_test(rings_of_any_length),
+      cmocka_unit_test(room_goes_by_pairs),
       cmocka_unit_test(contacts_are_counted_when_slabs_change),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
