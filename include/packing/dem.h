@@ -319,8 +319,9 @@ typedef struct packing_dem_def {
   packing_vec3 gravity; /**< acceleration [L T^-2]; default 0 */
   double drag; /**< force per velocity relative to the fluid, >= 0 [M T^-1]; default 0 */
   packing_vec3 fluid_velocity; /**< [L T^-1]; default 0 */
-  /** Velocity of the fluid in place of fluid_velocity, at a point and a time; called from
-   *  several threads at once. NULL (default): fluid_velocity holds everywhere. */
+  /** Velocity of the fluid in place of fluid_velocity, at a point (in a periodic cell sometimes
+   *  a little outside it) and a time; called from several threads at once. NULL (default):
+   *  fluid_velocity holds everywhere. */
   packing_vec3 (*fluid)(void *user, const packing_vec3 *point, double time);
   void *fluid_user; /**< passed to `fluid` */
   int rotations; /**< 1 (default): particles spin; 0: they never do, spins stay as given */
@@ -348,14 +349,16 @@ static inline void packing_dem_def_init(packing_dem_def *def)
   packing_dem_def_fill(def, sizeof *def);
 }
 
-/** Makes a stepper. Columns for velocities and spins are added to the store where absent.
+/** Makes a stepper. Columns for velocities and spins are added to the store where absent, even
+ *  when the rest fails.
  *
  *  Semi-implicit Euler: v += dt f(x, v) / m, then x += dt v, which is what Campello and
  *  Cassares' Algorithm 2 prints (their equation 21 with theta = 0 gains energy).
  *  The step is refused where even two of the smallest particles (or one and a wall) at an
  *  overlap of 1 % of their radius would be unstable: omega dt >= 2 (sqrt(1 + xi^2) - xi), with
  *  omega^2 = 2 E* sqrt(r* delta) / m*, or drag dt / m >= 2. A step above the advised one, a
- *  fifth of Hertz's collision time (their equation 23), gives one warning in the log.
+ *  fifth of Hertz's collision time (their equation 23), gives one warning in the log. Limit and
+ *  advice look at the smallest particle of each material, against its like and against a wall.
  *
  *  Walls act all at once, each where a particle touches it; a custom domain acts with its
  *  nearest wall only.
@@ -385,7 +388,7 @@ PACKING_API void packing_dem_destroy(packing_dem *dem);
 typedef struct packing_dem_report {
   size_t struct_size;     /**< set by packing_dem_report_init() */
   uint64_t steps;         /**< made since creation */
-  double time;            /**< steps times dt [T] */
+  double time;            /**< simulated since creation [T] */
   double dt;              /**< length of a step [T] */
   size_t particles;       /**< how many */
   double kinetic_energy;  /**< of motion and spin [M L^2 T^-2] */

@@ -106,6 +106,7 @@ static void advise(packing_dem *dem)
 packing_status packing_i_dem_check_step(packing_dem *dem)
 {
   advise(dem);
+  const double time = packing_i_dem_time(dem), before = dem->dt;
   const packing_dem_advice *a = &dem->advice;
   if (dem->def.dt > 0) {
     dem->dt = dem->def.dt;
@@ -114,6 +115,10 @@ packing_status packing_i_dem_check_step(packing_dem *dem)
       return packing_i_fail(dem->context, PACKING_ERR_INVALID, "dt", PACKING_NO_INDEX,
                             "none is given, and without particles none can be advised");
     dem->dt = a->advised;
+  }
+  if (dem->dt < before || dem->dt > before) {
+    dem->time_before = time;
+    dem->steps_before = dem->steps;
   }
   if (!(dem->dt < a->limit))
     return packing_i_fail(dem->context, PACKING_ERR_UNSTABLE, "dt", PACKING_NO_INDEX,

@@ -34,7 +34,7 @@ static packing_i_advance arguments(const packing_dem *dem)
 static double advance_in_flow(const packing_dem *dem, const packing_i_slab *slab)
 {
   packing_i_advance a = arguments(dem);
-  const double time = (double)dem->steps * dem->dt;
+  const double time = packing_i_dem_time(dem);
   double most = 0;
   for (size_t p = slab->first; p < slab->first + slab->count; p++) {
     const double *x = dem->position + PACKING_I_POSITION * p;

@@ -125,7 +125,7 @@ static void fill_report(const packing_dem *dem, packing_dem_report *report)
   double weight;
   packing_dem_report_init(report);
   report->steps = dem->steps;
-  report->time = (double)dem->steps * dem->dt;
+  report->time = packing_i_dem_time(dem);
   report->dt = dem->dt;
   report->particles = dem->count;
   report->kinetic_energy = energy_and_weight(dem, &weight);

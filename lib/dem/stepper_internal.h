@@ -181,6 +181,8 @@ struct packing_dem {
   int dim;
   int loaded; /* 0: nothing to step */
   uint64_t steps, rebuilds;
+  double time_before; /* when dt last changed, with the advice of a reload */
+  uint64_t steps_before;
 
   size_t count, capacity;
   double *position;      /* PACKING_I_POSITION a particle */
@@ -216,6 +218,12 @@ static inline double packing_i_dem_range(const packing_dem *dem, double ri, doub
 {
   const double touching = ri + rj;
   return (touching > dem->reach ? touching : dem->reach) + dem->skin;
+}
+
+/* Simulated time since creation. */
+static inline double packing_i_dem_time(const packing_dem *dem)
+{
+  return dem->time_before + (double)(dem->steps - dem->steps_before) * dem->dt;
 }
 
 /* Which of n cells a coordinate falls into; the outermost hold what is beyond. */

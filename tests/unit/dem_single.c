@@ -379,6 +379,27 @@ static void fluid_time_goes_on(void **state)
   dem_scene_free(&s);
 }
 
+/* An advised step may change with a reload: time goes on from where it was. */
+static void time_goes_on_through_another_step(void **state)
+{
+  (void)state;
+  dem_scene s;
+  floor_scene(&s, 1e6, 0.1, 0);
+  const dem_body large = {.x = {10, 1, 10}, .r = radius};
+  const dem_body small = {.x = {10, 2, 10}, .r = 0.1 * radius};
+  dem_add(&s, &large);
+  s.def.gravity.y = -1;
+  s.def.dt = 0;
+  dem_start(&s);
+  const packing_dem_report before = dem_run(&s, 10);
+  dem_add(&s, &small);
+  assert_ok(packing_dem_reload(s.dem));
+  const packing_dem_report after = dem_run(&s, 5);
+  assert_true(after.dt < 0.5 * before.dt);
+  assert_near(after.time, 10 * before.dt + 5 * after.dt, 1e-15 * before.time);
+  dem_scene_free(&s);
+}
+
 /* From rest at h, each flight with a long step, each impact with a short one; between them the
  * stepper is made anew. Gravity's own work in a contact lowers the restitution by some 1e-5. */
 static void bounces(void **state)
@@ -475,6 +496,7 @@ int main(void)
       cmocka_unit_test(constant_fluid_velocity),
       cmocka_unit_test(fluid_velocity_by_a_function),
       cmocka_unit_test(fluid_time_goes_on),
+      cmocka_unit_test(time_goes_on_through_another_step),
       cmocka_unit_test(bounces),
       cmocka_unit_test(frictionless_pyramid),
   };
