@@ -386,7 +386,7 @@ static void time_goes_on_through_another_step(void **state)
   dem_scene s;
   floor_scene(&s, 1e6, 0.1, 0);
   const dem_body large = {.x = {10, 1, 10}, .r = radius};
-  const dem_body small = {.x = {10, 2, 10}, .r = 0.1 * radius};
+  const dem_body small = {.x = {10, 1.5, 10}, .r = 0.1 * radius};
   dem_add(&s, &large);
   s.def.gravity.y = -1;
   s.def.dt = 0;
