@@ -24,7 +24,7 @@ class Plan:
         few = (lambda n: min(n, 2)) if quick else (lambda n: n)
         self.table_packs = packs or few(10)
         self.rest_packs = {2: few(5), 3: few(1)}
-        self.rule_packs = {2: few(5), 3: few(2)}
+        self.rule_packs = {2: few(10), 3: few(5)}
         self.time_packs = few(3)
         self.slip_packs = {2: few(10), 3: few(2)}
         self.friction_packs = {2: few(3), 3: few(1)}
