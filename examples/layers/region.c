@@ -88,8 +88,10 @@ int layers_region(const layers_job *job, double base, packing_domain **region)
 {
   double end = base + job->asked->layer_height;
   *region = NULL;
-  if (job->closed)
+  if (job->closed) { /* the last space is the highest, with the bed in the way */
     end = fmin(end, job->top);
+    base = fmax(job->floor, fmin(base, job->top - job->asked->layer_height));
+  }
   if (end - base < 2 * packing_psd_min_r(job->psd))
     return 0;
   if (is_prism(job))

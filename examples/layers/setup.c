@@ -177,6 +177,18 @@ static int choose_gravity(layers_job *job)
   return code;
 }
 
+/* Without a wall in the way particles would slide for ever. */
+static int check_tilt(const layers_job *job)
+{
+  const packing_vec3 g = job->gravity;
+  const unsigned tilted = (fabs(g.x) > 0 ? PACKING_PERIODIC_X : 0u) |
+                          (fabs(g.y) > 0 ? PACKING_PERIODIC_Y : 0u);
+  return tilted & job->spec.periodic ? BAD("--gravity: %s has a part along a periodic "
+                                           "direction: no layer settles",
+                                           job->asked->gravity)
+                                     : 0;
+}
+
 static int choose_near_field(layers_job *job)
 {
   const char *text = job->asked->near_field;
@@ -216,19 +228,30 @@ static void fill_in(layers_job *job)
   o->dt = given(o->dt, paper ? EXAMPLE_DT : 0);
 }
 
+/* More are taken for a slip of the pen: they would take weeks. */
+static const double STEPS_MOST = 1e9, PARTICLES_MOST = 1e9;
+
 static int check_numbers(const layers_job *job)
 {
   const layers_options *o = job->asked;
-  const double widest = 2 * packing_psd_max_r(job->psd);
+  /* A little more than a diameter: centres need a space, not a plane. */
+  const double widest = 2.002 * packing_psd_max_r(job->psd);
   const uint64_t streams = (UINT64_C(1) << 52) - PACKS_MOST * PACKS_MOST;
   if (o->layer_height < widest)
-    return BAD("--layer-height: %.9g holds no particle of diameter %.9g", o->layer_height,
-               widest);
+    return BAD(
+        "--layer-height: %.9g (where not given, 0.2 of the height) is not more than "
+        "the largest diameter %.9g",
+        o->layer_height, 2 * packing_psd_max_r(job->psd));
+  if (!isfinite(o->slip_velocity))
+    return BAD("--gravity: %.9g is beyond what can be computed", size_of(job->gravity));
   if (o->layer_time_max < o->layer_time)
     return BAD("--layer-time-max: %.9g is less than --layer-time %.9g", o->layer_time_max,
                o->layer_time);
   if (o->layer_time_max < o->dt)
     return BAD("--dt: %.9g is more than --layer-time-max %.9g", o->dt, o->layer_time_max);
+  if (o->dt > 0 && o->layer_time_max / o->dt > STEPS_MOST)
+    return BAD("--dt: %.9g makes more than %.0e steps in --layer-time-max %.9g", o->dt,
+               STEPS_MOST, o->layer_time_max);
   if (o->common.stream >= streams)
     return BAD("--stream: %llu is not below %llu", (unsigned long long)o->common.stream,
                (unsigned long long)streams);
@@ -290,14 +313,35 @@ static int create_model(layers_job *job)
   packing_status status = create_material(job);
   if (status == PACKING_OK)
     status = create_laws(job);
-  return status == PACKING_OK ? 0 : program_status(job->context, status, "forces");
+  if (status == PACKING_OK)
+    return 0;
+  /* The library's fields have the options' names, with another hyphen. */
+  char *line = format("--%s", packing_context_message(job->context));
+  for (char *c = line; *c && *c != ':'; c++)
+    *c = *c == '_' ? '-' : *c;
+  const int code = status == PACKING_ERR_NOMEM
+                       ? program_status(job->context, status, "forces")
+                       : BAD("%s", line);
+  free(line);
+  return code;
 }
 
-static int mean_radius(layers_job *job)
+/* The mean radius; and whether the container holds a number of particles that can be made. */
+static int look_at_sizes(layers_job *job)
 {
-  const packing_status status =
+  const int dim = job->spec.dim;
+  double power = 0;
+  packing_status status =
       packing_psd_moment(job->psd, PACKING_BY_NUMBER, 1, &job->mean_r);
-  return status == PACKING_OK ? 0 : program_status(job->context, status, "--psd");
+  if (status == PACKING_OK)
+    status = packing_psd_moment(job->psd, PACKING_BY_NUMBER, dim, &power);
+  if (status != PACKING_OK)
+    return program_status(job->context, status, "--psd");
+  const double particles = packing_domain_volume(job->domain) / (4 * power);
+  return particles <= PARTICLES_MOST
+             ? 0
+             : BAD("--psd: some %.1g particles would be needed, more than %.0e",
+                   particles, PARTICLES_MOST);
 }
 
 static int check_outputs(layers_job *job)
@@ -315,6 +359,8 @@ int layers_set_up(layers_job *job)
   if (!code)
     code = choose_gravity(job);
   if (!code)
+    code = check_tilt(job);
+  if (!code)
     code = choose_near_field(job);
   if (!code)
     code = options_context(&job->asked->common, &job->context);
@@ -324,7 +370,7 @@ int layers_set_up(layers_job *job)
     code = psd_spec_create(job->context, job->psd_text, job->spec.dim, &job->psd,
                            &job->input);
   if (!code)
-    code = mean_radius(job);
+    code = look_at_sizes(job);
   if (code)
     return code;
   fill_in(job);

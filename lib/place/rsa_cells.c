@@ -28,10 +28,11 @@ static void region(const packing_domain *domain, double r, packing_vec3 *lo,
   *period = packing_i_vec(again[0], again[1], again[2]);
 }
 
-/* The most cells of edge at least `edge` along `width`; 1 where it is shorter. */
+/* The most cells of edge at least `edge` along `width`; 1 where it is shorter. No more than there
+ * can be indices for: beyond 2^53 one less would be no other number. */
 static double cells_along(double width, double edge)
 {
-  double n = floor(width / edge);
+  double n = fmin(floor(width / edge), 4294967296.0);
   while (n > 1 && width / n < edge)
     n -= 1;
   return n < 1 ? 1 : n;
