@@ -7,7 +7,7 @@ from making.runs import Run
 DT = 1e-4
 LAYER_TIMES = (.5, 1.0, 2.0, 3.0, 6.0)
 FRICTIONS = (0.0, .05, .1, .2, .3, .5, 1.0)
-FRICTIONS_3D = (0.0, .1, .2, .5, 1.0)
+FRICTIONS_3D = (0.0, .1, .2, 1.0)
 PAPER_FRICTION = .2
 PAPER_LAYER_TIME = 1.0
 SLIP_EXAMPLES = ("5.1", "5.3")
@@ -23,7 +23,7 @@ class Plan:
         self.quick = quick
         few = (lambda n: min(n, 2)) if quick else (lambda n: n)
         self.table_packs = packs or few(10)
-        self.rest_packs = {2: few(5), 3: few(1)}
+        self.rest_packs = {2: few(3), 3: few(1)}
         self.rule_packs = {2: few(10), 3: few(5)}
         self.time_packs = few(3)
         self.slip_packs = {2: few(10), 3: few(2)}
