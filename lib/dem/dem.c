@@ -174,3 +174,9 @@ packing_status packing_dem_reload(packing_dem *dem)
 {
   return dem == NULL ? PACKING_ERR_INVALID : packing_i_dem_load(dem);
 }
+
+size_t packing_dem_bytes(const packing_dem *dem)
+{
+  return sizeof *dem + sizeof *dem->materials + packing_i_dem_room_bytes(dem) +
+         packing_i_history_bytes(dem);
+}

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From the store into the stepper, with all checks of a start, and back. */
+/* From the store into the stepper, with all checks of a start. */
 #include "stepper_internal.h"
 
 static double column(const packing_particles *p, packing_field field, size_t i)
@@ -162,23 +162,4 @@ packing_status packing_i_dem_load(packing_dem *dem)
   PACKING_I_TRY(check_overlaps(dem));
   dem->loaded = 1;
   return PACKING_OK;
-}
-
-void packing_i_dem_save(const packing_dem *dem)
-{
-  packing_particles *p = dem->particles;
-  for (size_t s = 0; s < dem->count; s++) {
-    const size_t i = dem->id[s];
-    const double *x = dem->position + PACKING_I_POSITION * s;
-    const double *v = dem->motion + PACKING_I_MOTION * s;
-    packing_vec3 at = packing_i_vec(x[0], x[1], x[2]);
-    packing_domain_wrap(dem->domain, &at);
-    p->x[i] = at.x;
-    p->y[i] = at.y;
-    p->z[i] = at.z;
-    for (int k = 0; k < 3; k++) {
-      ((double *)p->column[PACKING_FIELD_VX + k])[i] = v[k];
-      ((double *)p->column[PACKING_FIELD_WX + k])[i] = v[4 + k];
-    }
-  }
 }

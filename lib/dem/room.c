@@ -79,7 +79,7 @@ void packing_i_dem_release_arrays(packing_dem *dem)
   packing_i_free(dem->allocator, dem->list_j);
 }
 
-size_t packing_dem_bytes(const packing_dem *dem)
+size_t packing_i_dem_room_bytes(const packing_dem *dem)
 {
   size_t particle = 0;
   array all[ARRAYS];
@@ -87,7 +87,6 @@ size_t packing_dem_bytes(const packing_dem *dem)
   list_arrays(&copy, all);
   for (int a = 0; a < ARRAYS; a++)
     particle += all[a].entries * all[a].size;
-  return sizeof *dem + sizeof *dem->materials + dem->capacity * particle +
-         dem->cell_capacity * sizeof *dem->cell_start +
-         dem->list_capacity * 2 * sizeof *dem->list_i + packing_i_history_bytes(dem);
+  return dem->capacity * particle + dem->cell_capacity * sizeof *dem->cell_start +
+         dem->list_capacity * 2 * sizeof *dem->list_i;
 }

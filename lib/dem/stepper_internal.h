@@ -239,6 +239,9 @@ packing_status packing_i_dem_sort(packing_dem *dem);
 /* Makes the lists of pairs and of particles near walls. */
 packing_status packing_i_dem_list(packing_dem *dem);
 
+/* The square of the largest speed. */
+double packing_i_dem_max_speed2(const packing_dem *dem);
+
 /* A new skin, sorting, lists. */
 packing_status packing_i_dem_rebuild(packing_dem *dem);
 
@@ -246,6 +249,7 @@ packing_status packing_i_dem_rebuild(packing_dem *dem);
 packing_status packing_i_dem_grow(packing_dem *dem, size_t count);
 packing_status packing_i_dem_grow_list(packing_dem *dem, size_t entries);
 void packing_i_dem_release_arrays(packing_dem *dem);
+size_t packing_i_dem_room_bytes(const packing_dem *dem);
 
 /* Around a step; and packing_i_parallel() with as many threads as pay. */
 void packing_i_threads_begin(packing_dem *dem);
