@@ -9,6 +9,9 @@
 /* Fewer particles than this do not make a slab of their own. */
 enum { SLAB_PARTICLES = 48 };
 
+/* Particles of a block of parallel work. */
+enum { BLOCK = 4096 };
+
 /* No axis needs more cells; the product of three is finite, however far a particle has flown. */
 #define MOST_WANTED 0x1p300
 
@@ -149,25 +152,49 @@ static packing_status make_room(packing_dem *dem, size_t cells)
   return PACKING_OK;
 }
 
-/* Which cell of which slab each particle stands in. */
-static void assign(packing_dem *dem, const int number[PACKING_I_CLASSES])
+/* What blocks of particles share while they are sorted. */
+typedef struct sorting {
+  packing_dem *dem;
+  const int *number; /* where each class went */
+} sorting;
+
+static size_t block_end(const packing_dem *dem, size_t block)
+{
+  const size_t end = (block + 1) * BLOCK;
+  return end < dem->count ? end : dem->count;
+}
+
+/* Work on particles one by one, whose order does not matter. */
+static void run_blocks(packing_dem *dem, const int *number, packing_block_function fn)
+{
+  sorting s = {dem, number};
+  packing_i_dem_run(dem, (dem->count + BLOCK - 1) / BLOCK, fn, &s);
+}
+
+static size_t cell_of(const packing_dem *dem, const int *number, size_t p)
 {
   const packing_i_cut *cut = &dem->cut;
-  for (size_t p = 0; p < dem->count; p++) {
-    const packing_i_class *class = &cut->of[number[class_of(dem, coordinate(dem, p, 3))]];
-    const double along = coordinate(dem, p, cut->axis[0]) - cut->lo[0];
-    const int slab = packing_i_dem_cell(along, cut->inverse_thickness, cut->slabs);
-    const int plane = packing_i_dem_cell(along - slab * cut->thickness, class->inverse[0],
-                                         class->cells[0]);
-    const int row = packing_i_dem_cell(coordinate(dem, p, cut->axis[1]) - cut->lo[1],
-                                       class->inverse[1], class->cells[1]);
-    const int column = packing_i_dem_cell(coordinate(dem, p, cut->axis[2]) - cut->lo[2],
-                                          class->inverse[2], class->cells[2]);
-    const size_t cell = ((size_t)plane * (size_t) class->cells[1] + (size_t)row) *
-                            (size_t) class->cells[2] +
-                        (size_t)column;
-    dem->cell[p] = (uint32_t)((size_t)slab * cut->cells_of_slab + class->offset + cell);
-  }
+  const packing_i_class *class = &cut->of[number[class_of(dem, coordinate(dem, p, 3))]];
+  const double along = coordinate(dem, p, cut->axis[0]) - cut->lo[0];
+  const int slab = packing_i_dem_cell(along, cut->inverse_thickness, cut->slabs);
+  const int plane = packing_i_dem_cell(along - slab * cut->thickness, class->inverse[0],
+                                       class->cells[0]);
+  const int row = packing_i_dem_cell(coordinate(dem, p, cut->axis[1]) - cut->lo[1],
+                                     class->inverse[1], class->cells[1]);
+  const int column = packing_i_dem_cell(coordinate(dem, p, cut->axis[2]) - cut->lo[2],
+                                        class->inverse[2], class->cells[2]);
+  return (size_t)slab * cut->cells_of_slab + class->offset +
+         ((size_t)plane * (size_t) class->cells[1] + (size_t)row) *
+             (size_t) class->cells[2] +
+         (size_t)column;
+}
+
+/* Which cell of which slab each particle stands in. */
+static void assign_block(void *arg, size_t block)
+{
+  const sorting *s = arg;
+  for (size_t p = block * BLOCK; p < block_end(s->dem, block); p++)
+    s->dem->cell[p] = (uint32_t)cell_of(s->dem, s->number, p);
 }
 
 /* Starts of the cells, and where each particle goes (into dem->cell). */
@@ -185,6 +212,19 @@ static void count_cells(packing_dem *dem, size_t cells)
   start[0] = 0;
 }
 
+/* Every record to its place; its old place is read by nobody else. */
+static void move_block(void *arg, size_t block)
+{
+  packing_dem *dem = ((const sorting *)arg)->dem;
+  for (size_t p = block * BLOCK; p < block_end(dem, block); p++) {
+    const size_t to = dem->cell[p];
+    memcpy(dem->built + PACKING_I_POSITION * to, dem->position + PACKING_I_POSITION * p,
+           PACKING_I_POSITION * sizeof(double));
+    memcpy(dem->spare + PACKING_I_MOTION * to, dem->motion + PACKING_I_MOTION * p,
+           PACKING_I_MOTION * sizeof(double));
+  }
+}
+
 static void move_indices(packing_dem *dem, uint32_t **column)
 {
   uint32_t *to = dem->spare_index;
@@ -196,13 +236,7 @@ static void move_indices(packing_dem *dem, uint32_t **column)
 
 static void move_particles(packing_dem *dem)
 {
-  for (size_t p = 0; p < dem->count; p++) {
-    const size_t to = dem->cell[p];
-    memcpy(dem->built + PACKING_I_POSITION * to, dem->position + PACKING_I_POSITION * p,
-           PACKING_I_POSITION * sizeof(double));
-    memcpy(dem->spare + PACKING_I_MOTION * to, dem->motion + PACKING_I_MOTION * p,
-           PACKING_I_MOTION * sizeof(double));
-  }
+  run_blocks(dem, NULL, move_block);
   double *swap = dem->position;
   dem->position = dem->built;
   dem->built = swap;
@@ -211,18 +245,22 @@ static void move_particles(packing_dem *dem)
   dem->spare = swap;
   move_indices(dem, &dem->id);
   move_indices(dem, &dem->material);
-  memcpy(dem->built, dem->position, dem->count * PACKING_I_POSITION * sizeof(double));
 }
 
-/* Forces are zero whenever particles are sorted: only the inverse masses travel. */
-static void set_inverses(packing_dem *dem)
+/* Where the list was made; and, since forces are zero whenever particles are sorted, the inverse
+ * masses anew: only they would travel. */
+static void settle_block(void *arg, size_t block)
 {
+  packing_dem *dem = ((const sorting *)arg)->dem;
   const double j = dem->dim == 2 && dem->def.disc_mass ? 0.5 : 0.4;
-  memset(dem->force, 0, dem->count * PACKING_I_FORCE * sizeof(double));
-  for (size_t p = 0; p < dem->count; p++) {
+  for (size_t p = block * BLOCK; p < block_end(dem, block); p++) {
     const double m = dem->motion[PACKING_I_MOTION * p + 3], r = coordinate(dem, p, 3);
-    dem->force[PACKING_I_FORCE * p + 3] = 1 / m;
-    dem->force[PACKING_I_FORCE * p + 7] = 1 / (j * m * r * r);
+    double *force = dem->force + PACKING_I_FORCE * p;
+    memcpy(dem->built + PACKING_I_POSITION * p, dem->position + PACKING_I_POSITION * p,
+           PACKING_I_POSITION * sizeof(double));
+    memset(force, 0, PACKING_I_FORCE * sizeof *force);
+    force[3] = 1 / m;
+    force[7] = 1 / (j * m * r * r);
   }
 }
 
@@ -241,10 +279,10 @@ packing_status packing_i_dem_sort(packing_dem *dem)
   cut_classes(dem, cut, number);
   const size_t cells = (size_t)cut->slabs * cut->cells_of_slab;
   PACKING_I_TRY(make_room(dem, cells + 1));
-  assign(dem, number);
+  run_blocks(dem, number, assign_block);
   count_cells(dem, cells);
   move_particles(dem);
-  set_inverses(dem);
+  run_blocks(dem, NULL, settle_block);
   for (int s = 0; s < cut->slabs; s++) {
     packing_i_slab *slab = &dem->slab[s];
     slab->first = dem->cell_start[(size_t)s * cut->cells_of_slab];
