@@ -153,6 +153,7 @@ packing_status packing_i_dem_load(packing_dem *dem)
 {
   dem->loaded = 0;
   dem->history.kept = 0;
+  dem->threads = (packing_i_threads){0};
   PACKING_I_TRY(check_count(dem));
   PACKING_I_TRY(packing_i_dem_grow(dem, dem->particles->count));
   dem->count = dem->particles->count;

@@ -154,12 +154,14 @@ typedef struct packing_i_history {
   uint32_t *wall_carried_at; /* by name */
 } packing_i_history;
 
-/* How the last steps went with one thread and with several; see threads.c. */
+/* How rounds of steps went with all threads and with one; see threads.c. */
 typedef struct packing_i_threads {
-  unsigned step; /* of the round */
-  int one;       /* 1: one thread is used */
-  double start;
-  double together, alone; /* seconds of the probes */
+  unsigned step;     /* of the round */
+  unsigned round;    /* since the particles were loaded */
+  int one;           /* 1: one thread is used */
+  double start;      /* of the step */
+  double took;       /* by the round so far */
+  double seconds[2]; /* of a round, lately: with all, with one; 0: not tried yet */
 } packing_i_threads;
 
 /* About 310 bytes a particle and 8 a listed pair (some 5 a particle in dense packs). */

@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whether threads pay. A step meets them three times: few particles, or a machine that others use
- * too, and one thread is faster than several that wait for each other. Now and then some steps
- * are timed either way and the faster way is taken; the bytes are the same. */
+/* Whether threads pay. A step meets them three times: with few particles, or on a machine that
+ * others use too, one thread is faster than several that wait for each other. Rounds of steps are
+ * timed, one thread or all; the faster way is taken, the other tried now and then. The bytes are
+ * the same. */
 #define _POSIX_C_SOURCE 200809L
 #include "stepper_internal.h"
 #include <time.h>
 
-enum { PROBE = 8, ROUND = 1024 }; /* steps of a probe, and from one to the next */
+enum {
+  STEPS = 64,
+  EXPLORE = 32
+}; /* steps of a round; every so many rounds the other way */
 
 static double now(void)
 {
@@ -15,22 +19,32 @@ static double now(void)
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+/* What the next round does. A way that was never tried has taken no time yet. */
+static int choose(const packing_i_threads *t)
+{
+  const int faster = t->seconds[1] < t->seconds[0];
+  return t->round % EXPLORE == EXPLORE - 1 ? !faster : faster;
+}
+
 void packing_i_threads_begin(packing_dem *dem)
 {
   packing_i_threads *t = &dem->threads;
   if (t->step == 0)
-    t->together = t->alone = 0;
-  t->one = t->step < PROBE ? 0 : t->step < 2 * PROBE ? 1 : t->alone < t->together;
-  if (t->step < 2 * PROBE)
-    t->start = now();
+    t->one = choose(t);
+  t->start = now();
 }
 
 void packing_i_threads_end(packing_dem *dem)
 {
   packing_i_threads *t = &dem->threads;
-  if (t->step < 2 * PROBE)
-    *(t->one ? &t->alone : &t->together) += now() - t->start;
-  t->step = (t->step + 1) % ROUND;
+  t->took += now() - t->start;
+  if (++t->step < STEPS)
+    return;
+  double *seconds = &t->seconds[t->one];
+  *seconds = *seconds > 0 ? 0.75 * *seconds + 0.25 * t->took : t->took;
+  t->took = 0;
+  t->step = 0;
+  t->round++;
 }
 
 void packing_i_dem_run(packing_dem *dem, size_t blocks, packing_block_function fn,
