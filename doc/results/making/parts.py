@@ -5,7 +5,7 @@ from making import paper
 from making.runs import Run
 
 DT = 1e-4
-LAYER_TIMES = (.5, 1.0, 2.0, 3.0, 6.0)
+LAYER_TIMES = (.5, 1.0, 2.0, 4.0)
 FRICTIONS = (0.0, .05, .1, .2, .3, .5, 1.0)
 FRICTIONS_3D = (0.0, .1, .2, 1.0)
 PAPER_FRICTION = .2
@@ -23,11 +23,11 @@ class Plan:
         self.quick = quick
         few = (lambda n: min(n, 2)) if quick else (lambda n: n)
         self.table_packs = packs or few(10)
-        self.rest_packs = {2: few(3), 3: few(1)}
+        self.rest_packs = {2: few(2), 3: few(1)}
         self.rule_packs = {2: few(10), 3: few(5)}
-        self.time_packs = few(3)
+        self.time_packs = few(2)
         self.slip_packs = {2: few(10), 3: few(2)}
-        self.friction_packs = {2: few(3), 3: few(1)}
+        self.friction_packs = {2: few(2), 3: few(1)}
 
     def run(self, example, rotations, pack, end="time", full="bed", layer_time=PAPER_LAYER_TIME,
             friction=None, slip=None, psd=None, picture=False):
