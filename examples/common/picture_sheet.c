@@ -3,8 +3,11 @@
  * 4 to 11 of Campello and Cassares (Lat. Am. J. Solids Struct. 13, 23, 2016). */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include "moments.h"
 #include "picture.h"
 #include "picture_field.h"
+#include "program.h"
 
 enum {
   WIDTH = 1500, /* of the sheet, pixels */
@@ -58,15 +61,14 @@ static void lay_out(sheet_layout *l, const pack *packs, size_t count)
 static void draw_title(canvas *sheet, const pack *packs, size_t count)
 {
   char line[160];
-  double sum = 0, squares = 0;
+  double *fractions = program_take(count, sizeof(double));
   for (size_t i = 0; i < count; i++)
-    sum += packs[i].volume_fraction;
-  const double mean = sum / (double)count;
-  for (size_t i = 0; i < count; i++)
-    squares += (packs[i].volume_fraction - mean) * (packs[i].volume_fraction - mean);
+    fractions[i] = packs[i].volume_fraction;
+  const moments found = moments_of(fractions, count);
+  free(fractions);
   if (count > 1)
     snprintf(line, sizeof line, "%zu packs, volume fraction %.4f, deviation %.4f", count,
-             mean, sqrt(squares / (double)(count - 1)));
+             found.mean, found.sd);
   else
     picture_caption(line, sizeof line, packs);
   cairo_set_source_rgb(sheet->cr, 0.1, 0.1, 0.12);

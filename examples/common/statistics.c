@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "moments.h"
 #include "program.h"
 #include "report.h"
 
@@ -40,18 +41,14 @@ static double number_of(const cJSON *item)
 static void add_number(const three *to, const char *key, cJSON *const *items,
                        size_t count)
 {
-  double sum = 0, squares = 0;
+  double *values = program_take(count, sizeof(double));
   for (size_t i = 0; i < count; i++)
-    sum += number_of(cJSON_GetObjectItemCaseSensitive(items[i], key));
-  const double mean = sum / (double)count;
-  for (size_t i = 0; i < count; i++) {
-    const double off = number_of(cJSON_GetObjectItemCaseSensitive(items[i], key)) - mean;
-    squares += off * off;
-  }
-  const double sd = sqrt(squares / ((double)count - 1));
-  report_add_real(to->mean, key, mean);
-  report_add_real(to->sd, key, sd);
-  report_add_real(to->cv, key, sd / mean);
+    values[i] = number_of(cJSON_GetObjectItemCaseSensitive(items[i], key));
+  const moments found = moments_of(values, count);
+  free(values);
+  report_add_real(to->mean, key, found.mean);
+  report_add_real(to->sd, key, found.sd);
+  report_add_real(to->cv, key, found.sd / found.mean);
 }
 
 static void add_numbers(const three *to, cJSON *const *items, size_t count);

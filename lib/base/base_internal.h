@@ -4,7 +4,7 @@
 
 /* What every file of the library leans on: memory, errors, defs, parallel blocks. */
 
-#include <packing/base.h>
+#include <packing/types.h>
 #include <stddef.h>
 
 /* The allocator of a context; that of malloc for NULL. Immutable handles keep a copy. */
@@ -60,6 +60,14 @@ packing_status packing_i_check_positive(packing_context *context, const char *fi
                                         double v);
 packing_status packing_i_check_not_negative(packing_context *context, const char *field,
                                             double v);
+/* For arguments, switches (0 or 1) and vectors. */
+packing_status packing_i_check_given(packing_context *context, const char *field,
+                                     const void *pointer);
+packing_status packing_i_check_switch(packing_context *context, const char *field,
+                                      int value);
+packing_status packing_i_check_point(packing_context *context,
+                                     const char *const fields[3],
+                                     const packing_vec3 *point);
 
 /* Leaves a function early with the status of a call. For calls that own nothing yet. */
 #define PACKING_I_TRY(call)                                                              \

@@ -228,6 +228,33 @@ packing_status packing_i_check_not_negative(packing_context *context, const char
                         "%g must not be negative", v);
 }
 
+packing_status packing_i_check_given(packing_context *context, const char *field,
+                                     const void *pointer)
+{
+  if (pointer != NULL)
+    return PACKING_OK;
+  return packing_i_fail(context, PACKING_ERR_INVALID, field, PACKING_NO_INDEX, "NULL");
+}
+
+packing_status packing_i_check_switch(packing_context *context, const char *field,
+                                      int value)
+{
+  if (value == 0 || value == 1)
+    return PACKING_OK;
+  return packing_i_fail(context, PACKING_ERR_RANGE, field, PACKING_NO_INDEX,
+                        "%d must be 0 or 1", value);
+}
+
+packing_status packing_i_check_point(packing_context *context,
+                                     const char *const fields[3],
+                                     const packing_vec3 *point)
+{
+  const double part[3] = {point->x, point->y, point->z};
+  for (int k = 0; k < 3; k++)
+    PACKING_I_TRY(packing_i_check_finite(context, fields[k], part[k]));
+  return PACKING_OK;
+}
+
 static void run_here(size_t blocks, packing_block_function fn, void *arg)
 {
   for (size_t b = 0; b < blocks; b++)

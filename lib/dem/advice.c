@@ -49,11 +49,8 @@ static void consider(packing_dem *dem, size_t material, double r, double m)
 {
   const packing_i_pair_table *table = dem->materials;
   const packing_pair_material *row = table->pair + material * (table->count + 1);
-  const size_t wall = dem->def.wall_material == PACKING_MATERIAL_RIGID
-                          ? table->count
-                          : dem->def.wall_material;
   const contact pair = {0.5 * r, 0.5 * m, &row[material]};
-  const contact at_wall = {r, m, &row[wall]};
+  const contact at_wall = {r, m, &row[packing_i_dem_wall_column(dem)]};
   packing_dem_advice *a = &dem->advice;
   a->collision_time = fmin(a->collision_time, collision_time(&pair, a->impact_velocity));
   a->limit = fmin(a->limit, fmin(limit_of(&pair, r), limit_of(&at_wall, r)));
@@ -73,12 +70,7 @@ static double impact_velocity(const packing_dem *dem)
 {
   if (dem->def.impact_velocity > 0)
     return dem->def.impact_velocity;
-  double most2 = 0;
-  for (size_t p = 0; p < dem->count; p++) {
-    const double *v = dem->motion + PACKING_I_MOTION * p;
-    most2 = fmax(most2, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  }
-  return fmax(fall_velocity(dem), 2 * sqrt(most2));
+  return fmax(fall_velocity(dem), 2 * sqrt(packing_i_dem_max_speed2(dem)));
 }
 
 static void advise(packing_dem *dem)

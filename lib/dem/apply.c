@@ -1,6 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Laws at work on a batch. */
+/* Batches made ready for laws, and laws at work on them. */
 #include "stepper_internal.h"
+
+void packing_i_batch_repeat(double *const *columns, size_t width, size_t count)
+{
+  for (size_t c = 0; c < width; c++)
+    for (size_t k = count; k % 8 != 0; k++)
+      columns[c][k] = columns[c][count - 1];
+}
 
 void packing_i_dem_apply(const packing_dem *dem, const packing_law *only,
                          const packing_pair_material *table, double *history,

@@ -49,8 +49,8 @@ packing_status packing_law_create_custom(packing_context *context,
                                          packing_law **law)
 {
   packing_law_custom_def d;
-  PACKING_I_TRY(packing_i_law_check_given(context, "def", def));
-  PACKING_I_TRY(packing_i_law_check_given(context, "law", law));
+  PACKING_I_TRY(packing_i_check_given(context, "def", def));
+  PACKING_I_TRY(packing_i_check_given(context, "law", law));
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_law_custom, release, def, &d));
   if (d.evaluate == NULL)
     return packing_i_fail(context, PACKING_ERR_INVALID, "evaluate", PACKING_NO_INDEX,

@@ -14,24 +14,15 @@ void packing_dem_def_fill(packing_dem_def *def, size_t size)
   packing_i_def_fill(def, size, &defaults, sizeof defaults);
 }
 
+/* A vector; in the plane its z must be 0. */
 static packing_status check_vector(packing_context *context, const char *const names[3],
                                    const packing_vec3 *v, int dim)
 {
-  const double part[3] = {v->x, v->y, v->z};
-  for (int k = 0; k < 3; k++)
-    PACKING_I_TRY(packing_i_check_finite(context, names[k], part[k]));
-  if (dim == 2 && (part[2] < 0 || part[2] > 0))
+  PACKING_I_TRY(packing_i_check_point(context, names, v));
+  if (dim == 2 && (v->z < 0 || v->z > 0))
     return packing_i_fail(context, PACKING_ERR_RANGE, names[2], PACKING_NO_INDEX,
-                          "%g must be 0 in two dimensions", part[2]);
+                          "%g must be 0 in two dimensions", v->z);
   return PACKING_OK;
-}
-
-static packing_status check_switch(packing_context *context, const char *field, int value)
-{
-  if (value == 0 || value == 1)
-    return PACKING_OK;
-  return packing_i_fail(context, PACKING_ERR_RANGE, field, PACKING_NO_INDEX,
-                        "%d must be 0 or 1", value);
 }
 
 static packing_status check_def(packing_context *context, const packing_dem_def *d,
@@ -44,11 +35,11 @@ static packing_status check_def(packing_context *context, const packing_dem_def 
   PACKING_I_TRY(check_vector(context, gravity, &d->gravity, dim));
   PACKING_I_TRY(packing_i_check_not_negative(context, "drag", d->drag));
   PACKING_I_TRY(check_vector(context, fluid, &d->fluid_velocity, dim));
-  PACKING_I_TRY(check_switch(context, "rotations", d->rotations));
+  PACKING_I_TRY(packing_i_check_switch(context, "rotations", d->rotations));
   if (d->arm != PACKING_ARM_CONTACT && d->arm != PACKING_ARM_RADIUS)
     return packing_i_fail(context, PACKING_ERR_RANGE, "arm", PACKING_NO_INDEX,
                           "%d is no arm", (int)d->arm);
-  PACKING_I_TRY(check_switch(context, "disc_mass", d->disc_mass));
+  PACKING_I_TRY(packing_i_check_switch(context, "disc_mass", d->disc_mass));
   if (d->disc_mass && dim != 2)
     return packing_i_fail(context, PACKING_ERR_INVALID, "disc_mass", PACKING_NO_INDEX,
                           "spheres are no discs");
@@ -72,14 +63,6 @@ static packing_status check_laws(packing_context *context, packing_law *const *l
       return packing_i_fail(context, PACKING_ERR_INVALID, "laws", l, "law %zu is NULL",
                             l);
   return PACKING_OK;
-}
-
-static packing_status check_given(packing_context *context, const char *field,
-                                  const void *given)
-{
-  if (given != NULL)
-    return PACKING_OK;
-  return packing_i_fail(context, PACKING_ERR_INVALID, field, PACKING_NO_INDEX, "NULL");
 }
 
 static void take_laws(packing_dem *dem, packing_law *const *laws, size_t count)
@@ -129,10 +112,10 @@ packing_status packing_dem_create(packing_context *context, const packing_dem_de
 {
   packing_dem_def d;
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_dem, max_start_overlap, def, &d));
-  PACKING_I_TRY(check_given(context, "domain", domain));
-  PACKING_I_TRY(check_given(context, "materials", materials));
-  PACKING_I_TRY(check_given(context, "particles", particles));
-  PACKING_I_TRY(check_given(context, "dem", dem));
+  PACKING_I_TRY(packing_i_check_given(context, "domain", domain));
+  PACKING_I_TRY(packing_i_check_given(context, "materials", materials));
+  PACKING_I_TRY(packing_i_check_given(context, "particles", particles));
+  PACKING_I_TRY(packing_i_check_given(context, "dem", dem));
   PACKING_I_TRY(check_laws(context, laws, law_count));
   if (packing_domain_dim(domain) != packing_particles_dim(particles))
     return packing_i_fail(context, PACKING_ERR_RANGE, "particles", PACKING_NO_INDEX,

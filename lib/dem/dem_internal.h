@@ -46,10 +46,6 @@ struct packing_law {
 packing_status packing_i_law_create(packing_context *context,
                                     const packing_i_law_ops *ops, packing_law **law);
 
-/* Refuses NULL for an argument. */
-packing_status packing_i_law_check_given(packing_context *context, const char *field,
-                                         const void *pointer);
-
 /* One more hold. */
 packing_law *packing_i_law_retain(packing_law *law);
 

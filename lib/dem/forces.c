@@ -10,19 +10,13 @@ typedef struct pass {
   int tally;
 } pass;
 
-/* Whole vectors are worked on: the entries up to the next multiple of 8 repeat the last one. */
 static void fill_up(packing_i_batch *b)
 {
-  const size_t last = b->count - 1;
+  double *const columns[] = {b->dx, b->dy, b->dz, b->distance, b->ri, b->rj};
+  packing_i_batch_repeat(columns, sizeof columns / sizeof *columns, b->count);
   for (size_t k = b->count; k % 8 != 0; k++) {
-    b->dx[k] = b->dx[last];
-    b->dy[k] = b->dy[last];
-    b->dz[k] = b->dz[last];
-    b->distance[k] = b->distance[last];
-    b->ri[k] = b->ri[last];
-    b->rj[k] = b->rj[last];
-    b->i[k] = b->i[last];
-    b->j[k] = b->j[last];
+    b->i[k] = b->i[b->count - 1];
+    b->j[k] = b->j[b->count - 1];
   }
 }
 

@@ -79,11 +79,9 @@ packing_status packing_law_create_hertz(packing_context *context,
                                         packing_law **law)
 {
   packing_law_hertz_def d;
-  PACKING_I_TRY(packing_i_law_check_given(context, "law", law));
+  PACKING_I_TRY(packing_i_check_given(context, "law", law));
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_law_hertz, pull, def, &d));
-  if (d.pull != 0 && d.pull != 1)
-    return packing_i_fail(context, PACKING_ERR_RANGE, "pull", PACKING_NO_INDEX,
-                          "%d must be 0 or 1", d.pull);
+  PACKING_I_TRY(packing_i_check_switch(context, "pull", d.pull));
   packing_law *made;
   PACKING_I_TRY(packing_i_law_create(context, &hertz_ops, &made));
   made->as.hertz = d;

@@ -163,7 +163,7 @@ static void carry_walls(packing_dem *dem)
     h->wall_carried_at[i] = UINT32_MAX;
   for (int s = 0; s < dem->cut.slabs; s++)
     for (size_t k = 0; k < dem->slab[s].wall_count; k++) {
-      const size_t entry = dem->slab[s].wall_first + k;
+      const size_t entry = dem->slab[s].first + k;
       h->wall_carried_at[dem->id[dem->near_wall[entry]]] = (uint32_t)entry;
     }
   h->wall_value = h->wall_carried;
@@ -202,7 +202,7 @@ static void restore_walls(packing_dem *dem)
   packing_i_history *h = &dem->history;
   for (int s = 0; s < dem->cut.slabs; s++)
     for (size_t k = 0; k < dem->slab[s].wall_count; k++) {
-      const size_t to = dem->slab[s].wall_first + k;
+      const size_t to = dem->slab[s].first + k;
       const size_t from = h->wall_carried_at[dem->id[dem->near_wall[to]]];
       if (from == UINT32_MAX)
         continue;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stepper's kernels for AVX-512: eight pairs at a time. Records are loaded whole and
- * transposed in registers, which takes half the time of gathers. */
+ * transposed in registers. */
 #include "stepper_internal.h"
 #include <string.h>
 

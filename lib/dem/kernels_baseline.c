@@ -35,9 +35,7 @@ static inline vector vector_least0(vector v)
 
 static inline vector vector_image(vector v, double period, double half)
 {
-  if (v > half)
-    return v - period;
-  return v < -half ? v + period : v;
+  return packing_i_dem_image(v, period, half);
 }
 
 static inline mask vector_less(vector a, vector b, unsigned lanes)

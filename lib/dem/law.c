@@ -17,14 +17,6 @@ packing_status packing_i_law_create(packing_context *context,
   return PACKING_OK;
 }
 
-packing_status packing_i_law_check_given(packing_context *context, const char *field,
-                                         const void *pointer)
-{
-  if (pointer != NULL)
-    return PACKING_OK;
-  return packing_i_fail(context, PACKING_ERR_INVALID, field, PACKING_NO_INDEX, "NULL");
-}
-
 packing_law *packing_i_law_retain(packing_law *law)
 {
   atomic_fetch_add_explicit(&law->holds, 1, memory_order_relaxed);

@@ -77,9 +77,7 @@ static void visit_run(search *f, size_t first, size_t end)
     for (int k = 0; k < 3; k++) {
       double d = b[k] - a[k];
       if (images->any)
-        d = d > images->half[k]    ? d - images->period[k]
-            : d < -images->half[k] ? d + images->period[k]
-                                   : d;
+        d = packing_i_dem_image(d, images->period[k], images->half[k]);
       d2 += d * d;
     }
     const double range = packing_i_dem_range(dem, a[3], b[3]);
@@ -214,13 +212,12 @@ static void list_walls(void *arg, size_t s)
   packing_dem *dem = arg;
   packing_i_slab *slab = &dem->slab[s];
   packing_i_near_wall near[PACKING_I_NEAR_WALLS];
-  slab->wall_first = slab->first;
   slab->wall_count = 0;
   for (size_t p = slab->first; p < slab->first + slab->count; p++) {
     const double *at = dem->position + PACKING_I_POSITION * p;
     const packing_vec3 x = packing_i_vec(at[0], at[1], at[2]);
     if (packing_i_domain_near_walls(dem->domain, &x, at[3] + dem->skin, near) > 0)
-      dem->near_wall[slab->wall_first + slab->wall_count++] = (uint32_t)p;
+      dem->near_wall[slab->first + slab->wall_count++] = (uint32_t)p;
   }
 }
 

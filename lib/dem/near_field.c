@@ -63,8 +63,8 @@ packing_status packing_law_create_near_field(packing_context *context,
                                              packing_law **law)
 {
   packing_law_near_field_def d;
-  PACKING_I_TRY(packing_i_law_check_given(context, "def", def));
-  PACKING_I_TRY(packing_i_law_check_given(context, "law", law));
+  PACKING_I_TRY(packing_i_check_given(context, "def", def));
+  PACKING_I_TRY(packing_i_check_given(context, "law", law));
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_law_near_field, cutoff, def, &d));
   PACKING_I_TRY(check(context, &d));
   packing_law *made;

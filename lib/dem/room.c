@@ -3,29 +3,36 @@
 #include "stepper_internal.h"
 #include <string.h>
 
+/* An array with so many entries a particle. */
 typedef struct array {
-  void *block;    /* address of the pointer */
-  size_t entries; /* a particle */
+  size_t offset; /* of its pointer */
+  size_t entries;
   size_t size;
 } array;
 
-enum { ARRAYS = 10 };
+#define ARRAY(field, entries)                                                            \
+  {                                                                                      \
+    offsetof(packing_dem, field), (entries), sizeof *((packing_dem *)NULL)->field        \
+  }
 
-static void list_arrays(packing_dem *dem, array all[ARRAYS])
+static const array arrays[] = {
+    ARRAY(position, PACKING_I_POSITION),
+    ARRAY(built, PACKING_I_POSITION),
+    ARRAY(motion, PACKING_I_MOTION),
+    ARRAY(spare, PACKING_I_MOTION),
+    ARRAY(force, PACKING_I_FORCE),
+    ARRAY(id, 1),
+    ARRAY(material, 1),
+    ARRAY(spare_index, 1),
+    ARRAY(cell, 1),
+    ARRAY(near_wall, 1),
+};
+
+enum { ARRAYS = sizeof arrays / sizeof *arrays };
+
+static void *address_of(packing_dem *dem, const array *a)
 {
-  const array arrays[ARRAYS] = {
-      {&dem->position, PACKING_I_POSITION, sizeof(double)},
-      {&dem->built, PACKING_I_POSITION, sizeof(double)},
-      {&dem->motion, PACKING_I_MOTION, sizeof(double)},
-      {&dem->spare, PACKING_I_MOTION, sizeof(double)},
-      {&dem->force, PACKING_I_FORCE, sizeof(double)},
-      {&dem->id, 1, sizeof(uint32_t)},
-      {&dem->material, 1, sizeof(uint32_t)},
-      {&dem->spare_index, 1, sizeof(uint32_t)},
-      {&dem->cell, 1, sizeof(uint32_t)},
-      {&dem->near_wall, 1, sizeof(uint32_t)},
-  };
-  memcpy(all, arrays, sizeof arrays);
+  return (char *)dem + a->offset;
 }
 
 packing_status packing_i_dem_renew(packing_dem *dem, void *block, size_t count,
@@ -42,15 +49,13 @@ packing_status packing_i_dem_renew(packing_dem *dem, void *block, size_t count,
 
 packing_status packing_i_dem_grow(packing_dem *dem, size_t count)
 {
-  array all[ARRAYS];
   if (count <= dem->capacity)
     return PACKING_OK;
   const size_t capacity = count + count / 4 + 16;
   dem->capacity = 0; /* should an array be refused */
-  list_arrays(dem, all);
   for (int a = 0; a < ARRAYS; a++)
-    PACKING_I_TRY(
-        packing_i_dem_renew(dem, all[a].block, capacity * all[a].entries, all[a].size));
+    PACKING_I_TRY(packing_i_dem_renew(dem, address_of(dem, &arrays[a]),
+                                      capacity * arrays[a].entries, arrays[a].size));
   dem->capacity = capacity;
   return PACKING_OK;
 }
@@ -67,11 +72,9 @@ packing_status packing_i_dem_grow_list(packing_dem *dem, size_t entries)
 
 void packing_i_dem_release_arrays(packing_dem *dem)
 {
-  array all[ARRAYS];
-  list_arrays(dem, all);
   for (int a = 0; a < ARRAYS; a++) {
     void *block;
-    memcpy(&block, all[a].block, sizeof block);
+    memcpy(&block, address_of(dem, &arrays[a]), sizeof block);
     packing_i_free(dem->allocator, block);
   }
   packing_i_free(dem->allocator, dem->cell_start);
@@ -82,11 +85,8 @@ void packing_i_dem_release_arrays(packing_dem *dem)
 size_t packing_i_dem_room_bytes(const packing_dem *dem)
 {
   size_t particle = 0;
-  array all[ARRAYS];
-  packing_dem copy = *dem; /* to ask for the arrays' shapes only */
-  list_arrays(&copy, all);
   for (int a = 0; a < ARRAYS; a++)
-    particle += all[a].entries * all[a].size;
+    particle += arrays[a].entries * arrays[a].size;
   return dem->capacity * particle + dem->cell_capacity * sizeof *dem->cell_start +
          dem->list_capacity * 2 * sizeof *dem->list_i;
 }

@@ -78,8 +78,8 @@ packing_status packing_law_create_sliding(packing_context *context,
                                           packing_law **law)
 {
   packing_law_sliding_def d;
-  PACKING_I_TRY(packing_i_law_check_given(context, "def", def));
-  PACKING_I_TRY(packing_i_law_check_given(context, "law", law));
+  PACKING_I_TRY(packing_i_check_given(context, "def", def));
+  PACKING_I_TRY(packing_i_check_given(context, "law", law));
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_law_sliding, slip_velocity, def, &d));
   PACKING_I_TRY(packing_i_check_positive(context, "slip_velocity", d.slip_velocity));
   /* Its square keeps the kernel from 0 / 0. */

@@ -143,11 +143,9 @@ static packing_status make_room(packing_dem *dem, size_t cells)
   if (cells <= dem->cell_capacity)
     return PACKING_OK;
   const size_t capacity = cells + cells / 4;
-  uint32_t *start =
-      packing_i_regrow(dem->allocator, dem->cell_start, 0, capacity, sizeof *start);
-  if (start == NULL)
-    return packing_i_nomem(dem->context);
-  dem->cell_start = start;
+  dem->cell_capacity = 0; /* should it be refused */
+  PACKING_I_TRY(
+      packing_i_dem_renew(dem, &dem->cell_start, capacity, sizeof *dem->cell_start));
   dem->cell_capacity = capacity;
   return PACKING_OK;
 }
@@ -252,7 +250,7 @@ static void move_particles(packing_dem *dem)
 static void settle_block(void *arg, size_t block)
 {
   packing_dem *dem = ((const sorting *)arg)->dem;
-  const double j = dem->dim == 2 && dem->def.disc_mass ? 0.5 : 0.4;
+  const double j = packing_i_dem_inertia(dem);
   for (size_t p = block * BLOCK; p < block_end(dem, block); p++) {
     const double m = dem->motion[PACKING_I_MOTION * p + 3], r = coordinate(dem, p, 3);
     double *force = dem->force + PACKING_I_FORCE * p;

@@ -55,7 +55,7 @@ static packing_status one_step(packing_dem *dem, int tally)
 
 static double energy_and_weight(const packing_dem *dem, double *weight)
 {
-  const double j = dem->dim == 2 && dem->def.disc_mass ? 0.5 : 0.4;
+  const double j = packing_i_dem_inertia(dem);
   const double g = packing_i_norm(dem->def.gravity);
   double energy = 0;
   *weight = 0;

@@ -125,8 +125,8 @@ typedef struct packing_i_cut {
 typedef struct packing_i_slab {
   size_t first, count; /* its particles */
   size_t list_first, list_room,
-      list_count;                /* its pairs; `count` more than `room`: too many */
-  size_t wall_first, wall_count; /* its particles near walls */
+      list_count;    /* its pairs; `count` more than `room`: too many */
+  size_t wall_count; /* its particles near walls, in near_wall from `first` on */
   double
       displaced2; /* largest squared way since the list was made; not finite after a failure */
   size_t contacts, wall_contacts;
@@ -164,7 +164,7 @@ typedef struct packing_i_threads {
   double seconds[2]; /* of a round, lately: with all, with one; 0: not tried yet */
 } packing_i_threads;
 
-/* About 310 bytes a particle and 8 a listed pair (some 5 a particle in dense packs). */
+/* 276 bytes a particle and 8 a listed pair (some 5 a particle in dense packs). */
 struct packing_dem {
   packing_context *context;
   const packing_allocator *allocator;
@@ -194,7 +194,7 @@ struct packing_dem {
   double *spare;         /* as long as `motion` */
   uint32_t *id;          /* index in the store */
   uint32_t *material;    /* of each */
-  uint32_t *spare_index; /* two entries a particle */
+  uint32_t *spare_index; /* as long as `id` */
   uint32_t *cell;        /* of each particle while sorting */
   int one_material;
 
@@ -226,6 +226,27 @@ static inline double packing_i_dem_range(const packing_dem *dem, double ri, doub
 static inline double packing_i_dem_time(const packing_dem *dem)
 {
   return dem->time_before + (double)(dem->steps - dem->steps_before) * dem->dt;
+}
+
+/* Column of the walls in a table of pairs. */
+static inline size_t packing_i_dem_wall_column(const packing_dem *dem)
+{
+  return dem->def.wall_material == PACKING_MATERIAL_RIGID ? dem->materials->count
+                                                          : dem->def.wall_material;
+}
+
+/* J over m r^2. */
+static inline double packing_i_dem_inertia(const packing_dem *dem)
+{
+  return dem->dim == 2 && dem->def.disc_mass ? 0.5 : 0.4;
+}
+
+/* The nearest image of a difference along an axis. */
+static inline double packing_i_dem_image(double d, double period, double half)
+{
+  if (d > half)
+    return d - period;
+  return d < -half ? d + period : d;
 }
 
 /* Which of n cells a coordinate falls into; the outermost hold what is beyond. */
@@ -275,6 +296,10 @@ void packing_i_dem_forces(packing_dem *dem, int tally);
 /* Particles that touch walls, for a slab: adds their forces. */
 void packing_i_dem_wall_forces(packing_dem *dem, packing_i_slab *slab,
                                packing_i_batch *batch, int tally);
+
+/* Whole vectors are worked on: entries from `count` up to the next multiple of 8 repeat the last
+ * one. */
+void packing_i_batch_repeat(double *const *columns, size_t width, size_t count);
 
 /* Lets laws add their forces to a batch whose kinematics are there: those of contacts, or `only`.
  * `table` is what pairs of materials index, or the one entry for all; `history` is that of

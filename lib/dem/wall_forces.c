@@ -17,10 +17,8 @@ static void put(const packing_dem *dem, size_t near_entry, size_t p,
 {
   const size_t k = b->count++;
   const packing_i_pair_table *table = dem->materials;
-  const size_t other = dem->def.wall_material == PACKING_MATERIAL_RIGID
-                           ? table->count
-                           : dem->def.wall_material;
-  const size_t entry = dem->material[p] * (table->count + 1) + other;
+  const size_t entry =
+      dem->material[p] * (table->count + 1) + packing_i_dem_wall_column(dem);
   const double *motion = dem->motion + PACKING_I_MOTION * p;
   const double r = dem->position[PACKING_I_POSITION * p + 3];
   const packing_vec3 n = packing_i_scale(wall->normal, -1);
@@ -65,21 +63,18 @@ static void add(packing_dem *dem, const packing_i_batch *b)
   }
 }
 
-/* Whole vectors are worked on: entries up to the next multiple of 8 repeat the last one. */
+/* The kinematics are there; forces begin at 0. */
 static void fill_up(packing_i_batch *b)
 {
   double *const columns[] = {b->dx,      b->dy,        b->dz,        b->distance,
                              b->overlap, b->reduced_r, b->reduced_m, b->approach,
                              b->ux,      b->uy,        b->uz};
-  const size_t last = b->count - 1, end = (b->count + 7) / 8 * 8;
-  for (size_t c = 0; c < sizeof columns / sizeof *columns; c++)
-    for (size_t k = b->count; k < end; k++)
-      columns[c][k] = columns[c][last];
-  for (size_t k = b->count; k < end; k++)
-    b->pair[k] = b->pair[last];
   double *const forces[] = {b->normal, b->fx, b->fy, b->fz};
-  for (size_t c = 0; c < 4; c++)
-    memset(forces[c], 0, end * sizeof(double));
+  packing_i_batch_repeat(columns, sizeof columns / sizeof *columns, b->count);
+  for (size_t k = b->count; k % 8 != 0; k++)
+    b->pair[k] = b->pair[b->count - 1];
+  for (size_t c = 0; c < sizeof forces / sizeof *forces; c++)
+    memset(forces[c], 0, PACKING_I_ROOM * sizeof *forces[c]);
 }
 
 static void flush(packing_dem *dem, packing_i_slab *slab, packing_i_batch *b, int tally)
@@ -87,10 +82,11 @@ static void flush(packing_dem *dem, packing_i_slab *slab, packing_i_batch *b, in
   if (b->count == 0)
     return;
   fill_up(b);
-  /* Of one material all entries are the same. */
   double *history = packing_i_history_fetch(dem, (size_t)(slab - dem->slab), b, 1);
-  packing_i_dem_apply(
-      dem, NULL, dem->materials->pair + (dem->one_material ? b->pair[0] : 0), history, b);
+  /* Of one material all entries are the same. */
+  const packing_pair_material *table =
+      dem->materials->pair + (dem->one_material ? b->pair[0] : 0);
+  packing_i_dem_apply(dem, NULL, table, history, b);
   packing_i_history_store(dem, history, b, 1);
   add(dem, b);
   if (tally)
@@ -102,7 +98,7 @@ void packing_i_dem_wall_forces(packing_dem *dem, packing_i_slab *slab,
                                packing_i_batch *batch, int tally)
 {
   packing_i_near_wall near[PACKING_I_NEAR_WALLS];
-  for (size_t k = slab->wall_first; k < slab->wall_first + slab->wall_count; k++) {
+  for (size_t k = slab->first; k < slab->first + slab->wall_count; k++) {
     const size_t p = dem->near_wall[k];
     const double *at = dem->position + PACKING_I_POSITION * p;
     const packing_vec3 x = packing_i_vec(at[0], at[1], at[2]);

@@ -111,8 +111,8 @@ static packing_status check_bounds(packing_context *context,
 {
   static const char *const lo[] = {"bounds.lo.x", "bounds.lo.y", "bounds.lo.z"};
   static const char *const hi[] = {"bounds.hi.x", "bounds.hi.y", "bounds.hi.z"};
-  PACKING_I_TRY(packing_i_domain_check_point(context, lo, &d->bounds.lo));
-  PACKING_I_TRY(packing_i_domain_check_point(context, hi, &d->bounds.hi));
+  PACKING_I_TRY(packing_i_check_point(context, lo, &d->bounds.lo));
+  PACKING_I_TRY(packing_i_check_point(context, hi, &d->bounds.hi));
   for (int k = 0; k < d->dim; k++) {
     const double low = packing_i_component(d->bounds.lo, k);
     const double high = packing_i_component(d->bounds.hi, k);

@@ -67,8 +67,8 @@ packing_status packing_domain_create_inset(packing_context *context,
                                            packing_domain *domain, double distance,
                                            packing_domain **inset)
 {
-  PACKING_I_TRY(packing_i_domain_check_given(context, "domain", domain));
-  PACKING_I_TRY(packing_i_domain_check_given(context, "inset", inset));
+  PACKING_I_TRY(packing_i_check_given(context, "domain", domain));
+  PACKING_I_TRY(packing_i_check_given(context, "inset", inset));
   PACKING_I_TRY(packing_i_check_not_negative(context, "distance", distance));
   if (distance == 0) {
     *inset = packing_domain_retain(domain);

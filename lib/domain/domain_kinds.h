@@ -19,16 +19,9 @@ packing_status packing_i_domain_finish(packing_context *context,
                                        const packing_i_domain_body *body,
                                        const char *field, packing_domain **domain);
 
-/* Checks of arguments and fields that several calls have. */
-packing_status packing_i_domain_check_given(packing_context *context, const char *field,
-                                            const void *pointer);
-packing_status packing_i_domain_check_point(packing_context *context,
-                                            const char *const fields[3],
-                                            const packing_vec3 *point);
+/* Checks of fields that several kinds have. */
 packing_status packing_i_domain_check_flat(packing_context *context, const char *field,
                                            double z);
-packing_status packing_i_domain_check_open_top(packing_context *context, int open_top);
-
 packing_status packing_i_domain_check_ring(packing_context *context, double inner,
                                            double outer);
 

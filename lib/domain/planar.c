@@ -8,7 +8,7 @@ static packing_status check(packing_context *context, int dim,
                             const packing_i_planar_def *def)
 {
   static const char *const corner[] = {"corner.x", "corner.y", "corner.z"};
-  PACKING_I_TRY(packing_i_domain_check_point(context, corner, &def->corner));
+  PACKING_I_TRY(packing_i_check_point(context, corner, &def->corner));
   if (dim == 2)
     PACKING_I_TRY(packing_i_domain_check_flat(context, "corner.z", def->corner.z));
   for (int k = 0; k < dim; k++)
@@ -18,7 +18,7 @@ static packing_status check(packing_context *context, int dim,
     return packing_i_fail(context, PACKING_ERR_RANGE, "periodic", PACKING_NO_INDEX,
                           "%u names a direction that the container does not have",
                           def->periodic);
-  PACKING_I_TRY(packing_i_domain_check_open_top(context, def->open_top));
+  PACKING_I_TRY(packing_i_check_switch(context, "open_top", def->open_top));
   if (def->open_top && def->periodic & 1u << (dim - 1))
     return packing_i_fail(context, PACKING_ERR_INVALID, "open_top", PACKING_NO_INDEX,
                           "the direction of the top is periodic");

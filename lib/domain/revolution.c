@@ -194,11 +194,11 @@ static void set_walls(packing_i_revolution *p, const packing_i_revolution_def *d
 static packing_status check(packing_context *context, const packing_i_revolution_def *def)
 {
   static const char *const base[] = {"base.x", "base.y", "base.z"};
-  PACKING_I_TRY(packing_i_domain_check_point(context, base, &def->base));
+  PACKING_I_TRY(packing_i_check_point(context, base, &def->base));
   if ((int)def->axis < PACKING_AXIS_X || (int)def->axis > PACKING_AXIS_Z)
     return packing_i_fail(context, PACKING_ERR_RANGE, "axis", PACKING_NO_INDEX,
                           "%d is none of x, y, z (0, 1, 2)", (int)def->axis);
-  return packing_i_domain_check_open_top(context, def->open_top);
+  return packing_i_check_switch(context, "open_top", def->open_top);
 }
 
 packing_status packing_i_revolution_create(packing_context *context,

@@ -23,7 +23,7 @@ packing_status packing_i_round_create(packing_context *context,
                                       const packing_i_round *def, packing_domain **domain)
 {
   static const char *const centre[] = {"centre.x", "centre.y", "centre.z"};
-  PACKING_I_TRY(packing_i_domain_check_point(context, centre, &def->centre));
+  PACKING_I_TRY(packing_i_check_point(context, centre, &def->centre));
   if (dim == 2)
     PACKING_I_TRY(packing_i_domain_check_flat(context, "centre.z", def->centre.z));
   packing_i_domain_body body = packing_i_domain_body_new(ops, dim);

@@ -66,6 +66,22 @@ def one_line(result, *words):
         holds(word in lines[0], "%r is not in %r" % (word, lines[0]))
 
 
+def refuses(arguments, words, code=BAD_INPUT, files=(), out=True):
+    """A test that a command line ends with a line of these words and writes nothing."""
+    def test(program):
+        with Folder(program) as folder:
+            for name, text in files:
+                folder.write(name, text)
+            before = sorted(os.listdir(folder.path))
+            where = ["--out", "pack.csv", "--report", "report.json"] if out else []
+            result = folder.run(*arguments, *where)
+            equal(result.code, code, "exit code (%s)" % result.err)
+            equal(result.out, b"", "standard output")
+            equal(result.files, before, "files")
+            one_line(result, os.path.basename(program), *words)
+    return test
+
+
 def main(tests):
     """Runs (name, function of the program's path) pairs; argv[1] is the program."""
     failed = 0

@@ -2,26 +2,11 @@
 """Bad input: exit code 2 (or 3), one line that names the option or field, nothing written."""
 import os
 import subprocess
-from cli import BAD_INPUT, SYSTEM, Folder, equal, main, one_line
+from cli import BAD_INPUT, SYSTEM, Folder, equal, main, refuses
 
 BOX = ["--domain", "box:10,10,10"]
 SMALL = ["--psd", "mono:0.5", "--count", "10"]
 CURVE = "diameter,percent_passing\n"
-
-
-def refuses(arguments, words, code=BAD_INPUT, files=(), out=True):
-    def test(program):
-        with Folder(program) as folder:
-            for name, text in files:
-                folder.write(name, text)
-            before = sorted(os.listdir(folder.path))
-            where = ["--out", "pack.csv", "--report", "report.json"] if out else []
-            result = folder.run(*arguments, *where)
-            equal(result.code, code, "exit code (%s)" % result.err)
-            equal(result.out, b"", "standard output")
-            equal(result.files, before, "files")
-            one_line(result, "packing-cloud", *words)
-    return test
 
 
 def domain(spec, *words):

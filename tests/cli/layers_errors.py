@@ -1,26 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """packing-layers, bad input: exit code 2 (or 3), one line that names the option, nothing
 written."""
-import os
-from cli import BAD_INPUT, SYSTEM, Folder, equal, main, one_line
+from cli import BAD_INPUT, SYSTEM, Folder, main, refuses
 
 SMALL = ["--domain", "rect:0.3,0.2", "--psd", "mono:0.02"]
 EXAMPLE = ["--example", "5.1"]
-
-
-def refuses(arguments, words, code=BAD_INPUT, files=(), out=True):
-    def test(program):
-        with Folder(program) as folder:
-            for name, text in files:
-                folder.write(name, text)
-            before = sorted(os.listdir(folder.path))
-            where = ["--out", "pack.csv", "--report", "report.json"] if out else []
-            result = folder.run(*arguments, *where)
-            equal(result.code, code, "exit code (%s)" % result.err)
-            equal(result.out, b"", "standard output")
-            equal(result.files, before, "files")
-            one_line(result, "packing-layers", *words)
-    return test
 
 
 def option(*arguments, words, start=SMALL, name=None):

@@ -169,7 +169,7 @@ static void check_walls(const packing_dem *dem)
     const packing_vec3 x = packing_i_vec(at[0], at[1], at[2]);
     packing_i_near_wall near[PACKING_I_NEAR_WALLS];
     size_t found = 0;
-    for (size_t k = slab->wall_first; k < slab->wall_first + slab->wall_count; k++)
+    for (size_t k = slab->first; k < slab->first + slab->wall_count; k++)
       found += dem->near_wall[k] == p;
     assert_true(found <= 1);
     if (packing_i_domain_near_walls(dem->domain, &x, at[3], near) > 0)
