@@ -15,6 +15,7 @@
 #include <packing/placer.h>
 #include <packing/psd.h>
 #include <packing/rng.h>
+#include <packing/sizes.h>
 #include <packing/types.h>
 
 #endif
