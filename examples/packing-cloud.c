@@ -106,7 +106,7 @@ static error_t parse_own(int key, char *argument, struct argp_state *state)
   switch (key) {
   case ARGP_KEY_INIT:
     options_refuse(key, argument, state);
-    state->child_inputs[0] = state->child_inputs[1] = &o->common;
+    options_pass_on(state, &o->common, 2);
     return 0;
   case KEY_METHOD:
     code = read_method(argument, o);

@@ -49,6 +49,20 @@ void axis_init(axis *a, double lo, double hi, int may_be_logarithmic)
     add_linear_ticks(a);
 }
 
+void axis_thin(axis *a)
+{
+  /* Of 1, 2, 5 the ones stay; of even steps every second, the first among them. */
+  size_t kept = 0;
+  for (size_t k = 0; k < a->count; k++) {
+    const double lead = a->tick[k] / pow(10, floor(log10(a->tick[k]) + 1e-9));
+    if (a->count > 6 && (a->logarithmic ? lead < 1.5 : k % 2 == 0))
+      a->tick[kept++] = a->tick[k];
+    else if (a->count <= 6)
+      kept++;
+  }
+  a->count = kept;
+}
+
 double axis_place(const axis *a, double value)
 {
   return a->logarithmic ? log(value / a->lo) / log(a->hi / a->lo)

@@ -19,6 +19,9 @@ typedef struct axis {
  * empty range is widened. */
 void axis_init(axis *a, double lo, double hi, int may_be_logarithmic);
 
+/* Leaves at most half of the ticks, for a narrow panel. */
+void axis_thin(axis *a);
+
 /* From 0 at lo to 1 at hi. */
 double axis_place(const axis *a, double value);
 double axis_value(const axis *a, double place);

@@ -17,7 +17,9 @@
 
 enum { REASON_SIZE = 512 };
 
-const char output_formats[] = "csv, vtp, lammps, liggghts, yade, xyz, png, svg";
+const char output_help[] =
+    "write the pack; may be repeated. Formats: csv vtp lammps liggghts yade xyz png svg; "
+    "without FORMAT by extension: .csv .vtp .data .xyz .png .svg";
 
 static packing_status write_csv(const pack *p, const packing_stream *stream)
 {
@@ -109,7 +111,7 @@ static const format sizes_formats[] = {
     {NULL, NULL, NULL},
 };
 
-static output *add(outputs *all, const char *option, const char *text, const char *path)
+output *outputs_add(outputs *all, const char *option, const char *text, const char *path)
 {
   struct stat there;
   all->items = program_take_more(all->items, all->count + 1, sizeof *all->items);
@@ -137,6 +139,15 @@ static size_t prefix_length(const char *text)
   return text[length] == ':' ? length : 0;
 }
 
+static int unknown_format(const char *option, const char *text, size_t length)
+{
+  char known[256] = "";
+  for (const format *f = pack_formats; f->name; f++)
+    spec_list(known, sizeof known, f->name);
+  return program_fail(PROGRAM_BAD_INPUT, "%s: unknown format '%.*s'; known are %s",
+                      option, (int)length, text, known);
+}
+
 static int add_by_name(outputs *all, const char *option, const char *text)
 {
   const size_t length = prefix_length(text);
@@ -145,11 +156,10 @@ static int add_by_name(outputs *all, const char *option, const char *text)
       if (!text[length + 1])
         return program_fail(PROGRAM_BAD_INPUT, "%s: a file name is missing after '%s'",
                             option, text);
-      add(all, option, text, text + length + 1)->write = f->write;
+      outputs_add(all, option, text, text + length + 1)->write = f->write;
       return 0;
     }
-  return program_fail(PROGRAM_BAD_INPUT, "%s: unknown format '%.*s'; known are %s",
-                      option, (int)length, text, output_formats);
+  return unknown_format(option, text, length);
 }
 
 /* The format of a path, NULL after a line about what is wrong with it. */
@@ -173,7 +183,7 @@ int outputs_add_pack(outputs *all, const char *option, const char *text)
                 ".csv .vtp .data .xyz .png .svg, and no FORMAT: is before it");
   if (!f)
     return PROGRAM_BAD_INPUT;
-  add(all, option, text, text)->write = f->write;
+  outputs_add(all, option, text, text)->write = f->write;
   return 0;
 }
 
@@ -182,7 +192,7 @@ int outputs_add_sizes(outputs *all, const char *option, const char *path)
   const format *f = format_of(option, path, sizes_formats, ".png .svg");
   if (!f)
     return PROGRAM_BAD_INPUT;
-  add(all, option, path, path)->write = f->write;
+  outputs_add(all, option, path, path)->write = f->write;
   return 0;
 }
 
@@ -193,7 +203,7 @@ int outputs_add_sheet(outputs *all, const char *option, const char *path)
   const format *f = format_of(option, path, formats, ".png .svg");
   if (!f)
     return PROGRAM_BAD_INPUT;
-  output *made = add(all, option, path, path);
+  output *made = outputs_add(all, option, path, path);
   made->write_all = f == formats ? picture_write_sheet_png : picture_write_sheet_svg;
   made->shared = 1;
   return 0;
@@ -203,7 +213,7 @@ int outputs_add_report(outputs *all, const char *option, const char *path)
 {
   if (!*path)
     return program_fail(PROGRAM_BAD_INPUT, "%s: a file name is missing", option);
-  output *made = add(all, option, path, path);
+  output *made = outputs_add(all, option, path, path);
   made->write = write_report;
   made->shared = 1;
   return 0;
@@ -241,7 +251,7 @@ static int number_one(outputs *to, const output *one, size_t sets, size_t packs)
                         one->option, one->path, sets * packs);
   for (size_t i = 0; i < sets * packs; i++) {
     char *path = numbered(one->path, sets > 1 ? i / packs + 1 : 0, i % packs + 1);
-    output *made = add(to, one->option, one->text, path);
+    output *made = outputs_add(to, one->option, one->text, path);
     made->write = one->write;
     made->pack = i;
     free(path);
@@ -263,7 +273,7 @@ int outputs_number(outputs *all, size_t sets, size_t packs)
       code = number_one(all, one, sets, packs);
       continue;
     }
-    output *kept = add(all, one->option, one->text, one->path);
+    output *kept = outputs_add(all, one->option, one->text, one->path);
     kept->write = one->write;
     kept->write_all = one->write_all;
     kept->shared = 1;

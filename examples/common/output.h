@@ -35,6 +35,9 @@ typedef struct outputs {
  * an exit code after one line on standard error. */
 int outputs_add_pack(outputs *all, const char *option, const char *text);
 
+/* Adds a file of a program's own making. `option` and `text` say what was typed. */
+output *outputs_add(outputs *all, const char *option, const char *text, const char *path);
+
 /* Adds the plot of sizes, by extension .png or .svg. */
 int outputs_add_sizes(outputs *all, const char *option, const char *path);
 
@@ -60,7 +63,7 @@ int outputs_write(outputs *all, const pack *packs, size_t count,
 
 void outputs_free(outputs *all);
 
-/* "csv, vtp, ..." for --help. */
-extern const char output_formats[];
+/* What --help says of --out. */
+extern const char output_help[];
 
 #endif

@@ -166,6 +166,13 @@ static int read_modifier(const kind_row *row, char *word, domain_spec *spec)
   return 0;
 }
 
+void domain_spec_none(int dim, domain_spec *spec)
+{
+  memset(spec, 0, sizeof *spec);
+  spec->axis = PACKING_AXIS_Z;
+  spec->dim = dim;
+}
+
 /* Ends the word at `at` before the next modifier and returns that, or NULL. A '+' before a
  * digit or a point belongs to a number. */
 static char *cut_modifier(char *at)
@@ -339,6 +346,8 @@ int domain_spec_create(packing_context *context, const domain_spec *spec,
       [DOMAIN_CONE] = create_cone,         [DOMAIN_SILO] = create_silo,
       [DOMAIN_SPHERE] = create_sphere,     [DOMAIN_CIRCLE] = create_flat,
       [DOMAIN_ANNULUS] = create_flat};
+  if (spec->kind == DOMAIN_NONE)
+    return 0;
   const packing_status status = create[spec->kind](context, spec, domain);
   return status == PACKING_OK ? 0 : program_status(context, status, "--domain");
 }
