@@ -11,6 +11,7 @@
 #include <packing/grid.h>
 #include <packing/io.h>
 #include <packing/measure.h>
+#include <packing/order.h>
 #include <packing/particles.h>
 #include <packing/placer.h>
 #include <packing/psd.h>
