@@ -14,6 +14,7 @@
 #include <packing/order.h>
 #include <packing/particles.h>
 #include <packing/placer.h>
+#include <packing/porosity.h>
 #include <packing/psd.h>
 #include <packing/rng.h>
 #include <packing/types.h>

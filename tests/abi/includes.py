@@ -25,6 +25,7 @@ BELOW = {
 }
 # Public headers named otherwise than their module.
 MODULE_OF = {"types": "base", "placer": "place", "order": "measure"}
+MODULE_OF = {"types": "base", "placer": "place", "porosity": "measure"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
