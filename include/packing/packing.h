@@ -17,6 +17,7 @@
 #include <packing/porosity.h>
 #include <packing/psd.h>
 #include <packing/rng.h>
+#include <packing/sizes.h>
 #include <packing/types.h>
 
 #endif

@@ -26,6 +26,7 @@ BELOW = {
 # Public headers named otherwise than their module.
 MODULE_OF = {"types": "base", "placer": "place", "order": "measure"}
 MODULE_OF = {"types": "base", "placer": "place", "porosity": "measure"}
+MODULE_OF = {"types": "base", "placer": "place", "sizes": "measure"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
