@@ -16,6 +16,7 @@
 #include <packing/placer.h>
 #include <packing/porosity.h>
 #include <packing/psd.h>
+#include <packing/readers.h>
 #include <packing/rng.h>
 #include <packing/sizes.h>
 #include <packing/types.h>

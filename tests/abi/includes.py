@@ -27,6 +27,7 @@ BELOW = {
 MODULE_OF = {"types": "base", "placer": "place", "order": "measure"}
 MODULE_OF = {"types": "base", "placer": "place", "porosity": "measure"}
 MODULE_OF = {"types": "base", "placer": "place", "sizes": "measure"}
+MODULE_OF = {"types": "base", "placer": "place", "readers": "io"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
