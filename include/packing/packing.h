@@ -16,5 +16,6 @@
 #include <packing/psd.h>
 #include <packing/rng.h>
 #include <packing/types.h>
+#include <packing/writers.h>
 
 #endif
