@@ -14,6 +14,7 @@
 #include <packing/particles.h>
 #include <packing/placer.h>
 #include <packing/psd.h>
+#include <packing/readers.h>
 #include <packing/rng.h>
 #include <packing/types.h>
 #include <packing/writers.h>

@@ -43,11 +43,11 @@ typedef enum packing_by {
   PACKING_BY_MASS = 1    /**< mass of particles of one density: r^3 (discs: r^2) */
 } packing_by;
 
-/** Two particles that hold together. */
+/** A bond between two particles. */
 typedef struct packing_bond {
-  size_t i;     /**< index of one particle */
-  size_t j;     /**< index of the other */
-  int32_t type; /**< kind of the bond */
+  size_t i;     /**< index of a particle */
+  size_t j;     /**< index of another */
+  int32_t type; /**< its tag, or type */
 } packing_bond;
 
 /** One number of every particle: entry i stands at `(const char *)data + i * stride`. */
