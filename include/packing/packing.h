@@ -20,5 +20,6 @@
 #include <packing/rng.h>
 #include <packing/sizes.h>
 #include <packing/types.h>
+#include <packing/writers.h>
 
 #endif

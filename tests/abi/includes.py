@@ -28,6 +28,7 @@ MODULE_OF = {"types": "base", "placer": "place", "order": "measure"}
 MODULE_OF = {"types": "base", "placer": "place", "porosity": "measure"}
 MODULE_OF = {"types": "base", "placer": "place", "sizes": "measure"}
 MODULE_OF = {"types": "base", "placer": "place", "readers": "io"}
+MODULE_OF = {"types": "base", "placer": "place", "readers": "io", "writers": "io"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
