@@ -14,7 +14,7 @@ typedef struct rgb {
 
 typedef struct colours {
   colour_by by;
-  axis scale;        /* radius and height */
+  axis_range scale;  /* radius and height */
   int equal;         /* 1: all radii are the same, */
   double only;       /* this one */
   size_t components; /* component */

@@ -18,6 +18,7 @@ typedef struct output {
   const char *text;   /* as typed */
   char *path;
   char *real; /* one name for the place, however it is typed; NULL: not yet known */
+  const char *format; /* of the library; NULL: none of its, then: */
   pack_writer write;
   sheet_writer write_all; /* in place of `write` */
   int shared;             /* one for all packs, as the report is */
@@ -52,7 +53,8 @@ int outputs_add_sheet(outputs *all, const char *option, const char *path);
  * pack keeps the names as they are. */
 int outputs_number(outputs *all, size_t sets, size_t packs);
 
-/* Before the work: every place can be written, none is named twice or is an input. */
+/* Before the work: every place can be written, none is named twice or is an input, and what a
+ * deck loads is written beside it. */
 int outputs_check(const outputs *all, packing_context *context,
                   const input_files *inputs);
 
@@ -60,6 +62,11 @@ int outputs_check(const outputs *all, packing_context *context,
  * standard output, and lets the files appear. On failure none does. */
 int outputs_write(outputs *all, const pack *packs, size_t count,
                   const char *standard_output);
+
+/* Of one output, for these: whether its format has all it needs, and writing it. */
+int output_check_format(const outputs *all, const output *out);
+packing_status output_write_format(const outputs *all, const output *out, const pack *p,
+                                   const packing_stream *stream);
 
 void outputs_free(outputs *all);
 

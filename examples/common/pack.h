@@ -27,6 +27,8 @@ typedef struct pack {
   const char *psd_text;    /* NULL: not asked for */
   packing_psd *psd;        /* NULL: the same */
   packing_view view;
+  const packing_bond *bonds; /* pairs of the view's indices, or NULL */
+  size_t bond_count;
   double density;         /* of the particles */
   double volume_fraction; /* NaN where unknown */
   colour_by colour;

@@ -10,7 +10,7 @@
 
 typedef struct panel {
   canvas *sheet;
-  axis x, y;
+  axis_range x, y;
   double left, right, top, bottom; /* of the frame, pixels */
 } panel;
 

@@ -24,11 +24,8 @@ BELOW = {
     "io": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid"},
 }
 # Public headers named otherwise than their module.
-MODULE_OF = {"types": "base", "placer": "place", "order": "measure"}
-MODULE_OF = {"types": "base", "placer": "place", "porosity": "measure"}
-MODULE_OF = {"types": "base", "placer": "place", "sizes": "measure"}
-MODULE_OF = {"types": "base", "placer": "place", "readers": "io"}
-MODULE_OF = {"types": "base", "placer": "place", "readers": "io", "writers": "io"}
+MODULE_OF = {"types": "base", "placer": "place", "order": "measure", "porosity": "measure",
+             "sizes": "measure", "readers": "io", "writers": "io"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
