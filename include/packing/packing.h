@@ -13,6 +13,7 @@
 #include <packing/measure.h>
 #include <packing/particles.h>
 #include <packing/placer.h>
+#include <packing/pores.h>
 #include <packing/psd.h>
 #include <packing/rng.h>
 #include <packing/types.h>
