@@ -15,6 +15,7 @@
 #include <packing/particles.h>
 #include <packing/placer.h>
 #include <packing/porosity.h>
+#include <packing/pores.h>
 #include <packing/psd.h>
 #include <packing/readers.h>
 #include <packing/rng.h>
