@@ -1,0 +1,366 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Crop, scale, shift, replicate: particles, bonds and container together. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../common/pack.h"
+#include "../common/program.h"
+#include "convert.h"
+
+static const packing_field place_fields[] = {PACKING_FIELD_X, PACKING_FIELD_Y,
+                                             PACKING_FIELD_Z};
+
+static int failed(const convert_job *job, const change *c, packing_status status)
+{
+  char where[32];
+  snprintf(where, sizeof where, "--%s", change_names[c->kind]);
+  return program_status(job->context, status, where);
+}
+
+static double *take_numbers(size_t count)
+{
+  double *made = malloc((count ? count : 1) * sizeof *made);
+  if (!made)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  return made;
+}
+
+/* ---- the container ---- */
+
+/* The container is what `text` says from here on. */
+static int set_domain(convert_job *job, char *text)
+{
+  free(job->domain_text);
+  packing_domain_destroy(job->domain);
+  job->domain_text = text;
+  job->domain = NULL;
+  const int code = domain_spec_parse(text, &job->spec);
+  return code ? code : domain_spec_create(job->context, &job->spec, &job->domain);
+}
+
+__attribute__((format(printf, 2, 3))) static int append_to_domain(convert_job *job,
+                                                                 const char *format, ...)
+{
+  char tail[128], *text = NULL;
+  va_list arguments;
+  if (!job->domain)
+    return 0;
+  va_start(arguments, format);
+  vsnprintf(tail, sizeof tail, format, arguments);
+  va_end(arguments);
+  if (asprintf(&text, "%s%s", job->domain_text, tail) < 0)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  return set_domain(job, text);
+}
+
+/* ---- scale and shift ---- */
+
+/* A column becomes factor * (column) + term. */
+static packing_status map_column(packing_particles *particles, packing_field field,
+                                 double factor, double term)
+{
+  const size_t count = packing_particles_count(particles);
+  double *numbers = take_numbers(count);
+  packing_status status =
+      packing_particles_extract(particles, field, numbers, sizeof *numbers);
+  for (size_t i = 0; i < count; i++)
+    numbers[i] = factor * numbers[i] + term;
+  if (status == PACKING_OK)
+    status = packing_particles_set(particles, field, numbers, sizeof *numbers);
+  free(numbers);
+  return status;
+}
+
+static int scale(convert_job *job, const change *c)
+{
+  static const packing_field fields[] = {PACKING_FIELD_X,  PACKING_FIELD_Y,
+                                         PACKING_FIELD_Z,  PACKING_FIELD_R,
+                                         PACKING_FIELD_VX, PACKING_FIELD_VY,
+                                         PACKING_FIELD_VZ};
+  packing_particles *particles = job->asked->in.particles;
+  const int moving = (packing_particles_columns(particles) & PACKING_COLUMN_VELOCITY) != 0;
+  packing_status status = PACKING_OK;
+  for (int k = 0; k < (moving ? 7 : 4) && status == PACKING_OK; k++)
+    status = map_column(particles, fields[k], c->factor, 0);
+  if (status != PACKING_OK)
+    return failed(job, c, status);
+  return append_to_domain(job, "+scale:%.17g", c->factor);
+}
+
+static int shift(convert_job *job, const change *c)
+{
+  const double by[] = {c->by.x, c->by.y, c->by.z};
+  packing_status status = PACKING_OK;
+  if (job->spec.dim == 2 && c->by.z != 0)
+    return program_fail(PROGRAM_BAD_INPUT, "--shift: Z must be 0 in two dimensions");
+  if (job->spec.dim == 3 && c->numbers < 3)
+    return program_fail(PROGRAM_BAD_INPUT, "--shift: '%s' is not X,Y,Z", c->text);
+  for (int k = 0; k < job->spec.dim && status == PACKING_OK; k++)
+    status = map_column(job->asked->in.particles, place_fields[k], 1, by[k]);
+  if (status != PACKING_OK)
+    return failed(job, c, status);
+  return job->spec.dim == 2
+             ? append_to_domain(job, "+at:%.17g,%.17g", by[0], by[1])
+             : append_to_domain(job, "+at:%.17g,%.17g,%.17g", by[0], by[1], by[2]);
+}
+
+/* ---- crop ---- */
+
+/* Bonds of what is kept; `place` has each particle's index among these, or PACKING_NO_INDEX. */
+static void crop_bonds(convert_job *job, const size_t *place)
+{
+  size_t kept = 0;
+  for (size_t k = 0; k < job->bond_count; k++) {
+    packing_bond b = job->bonds[k];
+    b.i = place[b.i];
+    b.j = place[b.j];
+    if (b.i != PACKING_NO_INDEX && b.j != PACKING_NO_INDEX)
+      job->bonds[kept++] = b;
+  }
+  job->bond_count = kept;
+}
+
+static packing_status keep_inside(convert_job *job, const packing_domain *keep)
+{
+  packing_particles *particles = job->asked->in.particles;
+  const size_t count = packing_particles_count(particles);
+  size_t *place = program_take(count, sizeof *place);
+  size_t *gone = program_take(count, sizeof *gone);
+  size_t left = 0, kept = 0;
+  pack p = {.view = {0}};
+  packing_particles_view(particles, &p.view);
+  for (size_t i = 0; i < count; i++) {
+    const packing_vec3 centre = pack_centre(&p, i);
+    const double r = job->asked->by_centres ? 0 : pack_radius(&p, i);
+    if (packing_domain_holds(keep, &centre, r)) {
+      place[i] = kept++;
+    } else {
+      place[i] = PACKING_NO_INDEX;
+      gone[left++] = i;
+    }
+  }
+  const packing_status status = packing_particles_remove(particles, gone, left);
+  if (status == PACKING_OK)
+    crop_bonds(job, place);
+  free(gone);
+  free(place);
+  return status;
+}
+
+static int crop(convert_job *job, const change *c)
+{
+  if (c->keep.dim != job->spec.dim)
+    return program_fail(PROGRAM_BAD_INPUT, "--crop: %s has %d dimensions, the pack has %d",
+                        c->text, c->keep.dim, job->spec.dim);
+  const int code = set_domain(job, program_copy(c->text, strlen(c->text)));
+  if (code)
+    return code;
+  const packing_status status = keep_inside(job, job->domain);
+  return status == PACKING_OK ? 0 : failed(job, c, status);
+}
+
+/* ---- replicate ---- */
+
+/* The copies along each axis, and the period. */
+typedef struct lattice {
+  size_t times[3];
+  double period[3];
+  size_t count; /* particles of the pack itself */
+} lattice;
+
+static packing_vec3 offset(const lattice *l, size_t ix, size_t iy, size_t iz)
+{
+  return (packing_vec3){(double)ix * l->period[0], (double)iy * l->period[1],
+                        (double)iz * l->period[2]};
+}
+
+/* Appends a copy of the first particles, whose columns `view` shows, moved. */
+static packing_status append_copy(packing_particles *to, const packing_view *view,
+                                  packing_vec3 by, double *moved)
+{
+  const pack p = {.view = *view};
+  packing_view copy = *view;
+  packing_column *places[] = {&copy.x, &copy.y, &copy.z};
+  for (size_t i = 0; i < view->count; i++) {
+    const packing_vec3 c = pack_centre(&p, i);
+    moved[i] = c.x + by.x;
+    moved[view->count + i] = c.y + by.y;
+    moved[2 * view->count + i] = c.z + by.z;
+  }
+  for (size_t k = 0; k < 3; k++)
+    *places[k] = (packing_column){moved + k * view->count, sizeof *moved};
+  return packing_particles_append(to, &copy);
+}
+
+static packing_status number_ids(packing_particles *particles)
+{
+  const size_t count = packing_particles_count(particles);
+  if (!(packing_particles_columns(particles) & PACKING_COLUMN_ID))
+    return PACKING_OK;
+  int64_t *ids = program_take(count, sizeof *ids);
+  for (size_t i = 0; i < count; i++)
+    ids[i] = (int64_t)i + 1;
+  const packing_status status =
+      packing_particles_set(particles, PACKING_FIELD_ID, ids, sizeof *ids);
+  free(ids);
+  return status;
+}
+
+static packing_status copy_particles(const convert_job *job, const lattice *l,
+                                     packing_particles *to)
+{
+  packing_view view;
+  packing_status status = PACKING_OK;
+  double *moved = take_numbers(3 * l->count);
+  packing_particles_view(job->asked->in.particles, &view);
+  for (size_t iz = 0; iz < l->times[2]; iz++)
+    for (size_t iy = 0; iy < l->times[1]; iy++)
+      for (size_t ix = 0; ix < l->times[0] && status == PACKING_OK; ix++)
+        status = append_copy(to, &view, offset(l, ix, iy, iz), moved);
+  free(moved);
+  return status == PACKING_OK ? number_ids(to) : status;
+}
+
+/* How many periods lie between the image of j that is next to i, and j itself. */
+static void image_of(const convert_job *job, const lattice *l, const packing_bond *b,
+                     long image[3])
+{
+  pack p = {.view = {0}};
+  packing_particles_view(job->asked->in.particles, &p.view);
+  const packing_vec3 from = pack_centre(&p, b->i), to = pack_centre(&p, b->j);
+  const packing_vec3 near = packing_domain_separation(job->domain, &from, &to);
+  const double across[] = {near.x - (to.x - from.x), near.y - (to.y - from.y),
+                           near.z - (to.z - from.z)};
+  for (int k = 0; k < 3; k++)
+    image[k] = l->period[k] > 0 ? lround(across[k] / l->period[k]) : 0;
+}
+
+static size_t copy_of(const lattice *l, const long at[3])
+{
+  size_t place[3];
+  for (int k = 0; k < 3; k++) {
+    const long n = (long)l->times[k];
+    place[k] = (size_t)(((at[k] % n) + n) % n);
+  }
+  return place[0] + l->times[0] * (place[1] + l->times[1] * place[2]);
+}
+
+static void copy_bond(const lattice *l, const packing_bond *b, const long image[3],
+                      packing_bond *to)
+{
+  size_t made = 0;
+  for (long iz = 0; iz < (long)l->times[2]; iz++)
+    for (long iy = 0; iy < (long)l->times[1]; iy++)
+      for (long ix = 0; ix < (long)l->times[0]; ix++) {
+        const long there[3] = {ix + image[0], iy + image[1], iz + image[2]};
+        to[made] = *b;
+        to[made].i += l->count * made;
+        to[made].j += l->count * copy_of(l, there);
+        made++;
+      }
+}
+
+static void copy_bonds(convert_job *job, const lattice *l)
+{
+  const size_t copies = l->times[0] * l->times[1] * l->times[2];
+  packing_bond *bonds = program_take(job->bond_count * copies, sizeof *bonds);
+  for (size_t k = 0; k < job->bond_count; k++) {
+    long image[3];
+    image_of(job, l, &job->bonds[k], image);
+    copy_bond(l, &job->bonds[k], image, bonds + k * copies);
+  }
+  free(job->bonds);
+  job->bonds = bonds;
+  job->bond_count *= copies;
+}
+
+/* Whether the copies are few enough to be counted; says so if not. */
+static int check_room(const lattice *l)
+{
+  const double most = (double)UINT32_MAX;
+  const double all = (double)l->times[0] * (double)l->times[1] * (double)l->times[2];
+  if (all * (double)(l->count ? l->count : 1) > most)
+    return program_fail(PROGRAM_BAD_INPUT,
+                        "--replicate: %.0f particles are more than %.0f",
+                        all * (double)l->count, most);
+  return 0;
+}
+
+static int plan_copies(const convert_job *job, const change *c, lattice *l)
+{
+  packing_bounds cell;
+  if (job->spec.kind != DOMAIN_BOX && job->spec.kind != DOMAIN_RECT)
+    return program_fail(PROGRAM_BAD_INPUT,
+                        "--replicate: only a box or rect repeats, and %s",
+                        job->domain ? "this container is none"
+                                    : "nothing tells the container; see --domain");
+  if (job->spec.open_top)
+    return program_fail(PROGRAM_BAD_INPUT, "--replicate: a box with an open top does not "
+                                           "repeat");
+  if (job->spec.dim == 2 && c->times[2] != 1)
+    return program_fail(PROGRAM_BAD_INPUT, "--replicate: NZ must be 1 in two dimensions");
+  if (job->spec.dim == 3 && c->numbers < 3)
+    return program_fail(PROGRAM_BAD_INPUT, "--replicate: '%s' is not NX,NY,NZ", c->text);
+  packing_domain_bounds(job->domain, &cell);
+  *l = (lattice){.times = {c->times[0], c->times[1], c->times[2]},
+                 .period = {cell.hi.x - cell.lo.x, cell.hi.y - cell.lo.y,
+                            cell.hi.z - cell.lo.z},
+                 .count = packing_particles_count(job->asked->in.particles)};
+  return check_room(l);
+}
+
+static packing_status make_copies(convert_job *job, const lattice *l)
+{
+  packing_particles **old = &job->asked->in.particles, *made = NULL;
+  packing_particles_def def;
+  packing_particles_def_init(&def);
+  def.dim = packing_particles_dim(*old);
+  def.columns = packing_particles_columns(*old);
+  def.capacity = l->count * l->times[0] * l->times[1] * l->times[2];
+  packing_status status = packing_particles_create(job->context, &def, &made);
+  if (status == PACKING_OK)
+    status = copy_particles(job, l, made);
+  if (status != PACKING_OK) {
+    packing_particles_destroy(made);
+    return status;
+  }
+  copy_bonds(job, l);
+  packing_particles_destroy(*old);
+  *old = made;
+  return PACKING_OK;
+}
+
+static int replicate(convert_job *job, const change *c)
+{
+  lattice l;
+  packing_bounds cell;
+  const int code = plan_copies(job, c, &l);
+  if (code)
+    return code;
+  const packing_status status = make_copies(job, &l);
+  if (status != PACKING_OK)
+    return failed(job, c, status);
+  packing_domain_bounds(job->domain, &cell);
+  cell.hi.x = cell.lo.x + (double)l.times[0] * l.period[0];
+  cell.hi.y = cell.lo.y + (double)l.times[1] * l.period[1];
+  cell.hi.z = cell.lo.z + (double)l.times[2] * l.period[2];
+  return set_domain(job, input_box_text(job->spec.dim, &cell, job->spec.periodic));
+}
+
+/* ---- all of them ---- */
+
+int convert_change(convert_job *job)
+{
+  static int (*const changes[])(convert_job *, const change *) = {
+      [CHANGE_CROP] = crop,
+      [CHANGE_SCALE] = scale,
+      [CHANGE_SHIFT] = shift,
+      [CHANGE_REPLICATE] = replicate};
+  int code = 0;
+  for (size_t i = 0; i < job->asked->change_count && !code; i++)
+    code = interrupted() ? program_interrupted()
+                         : changes[job->asked->changes[i].kind](
+                               job, &job->asked->changes[i]);
+  return code;
+}

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef EXAMPLES_CONVERT_H
+#define EXAMPLES_CONVERT_H
+
+/* packing-convert: what was asked, what is at hand, and the steps. Functions return 0, or an exit
+ * code after one line on standard error. */
+
+#include "../common/input.h"
+#include "../common/options.h"
+#include "../common/report.h"
+
+/* What can be done to a pack on its way. */
+typedef enum change_kind {
+  CHANGE_CROP,
+  CHANGE_SCALE,
+  CHANGE_SHIFT,
+  CHANGE_REPLICATE
+} change_kind;
+
+typedef struct change {
+  change_kind kind;
+  const char *text;  /* as typed */
+  double factor;     /* scale */
+  packing_vec3 by;   /* shift */
+  size_t numbers;    /* shift: how many were given */
+  uint64_t times[3]; /* replicate */
+  domain_spec keep;  /* crop */
+} change;
+
+typedef struct convert_options {
+  options common;
+  input in;
+  change *changes; /* in the order typed */
+  size_t change_count;
+  int by_centres; /* crop: 1: keep what has its centre inside, 0: whole particles only */
+} convert_options;
+
+typedef struct convert_job {
+  convert_options *asked;
+  packing_context *context;
+  input_files files;
+  domain_spec spec;  /* of kind DOMAIN_NONE: no container */
+  char *domain_text; /* of spec */
+  packing_domain *domain;
+  packing_bond *bonds; /* of the particles as they are now */
+  size_t bond_count;
+  size_t read; /* particles */
+  report report;
+} convert_job;
+
+extern const char convert_program[];
+extern const char *const change_names[];
+
+void convert_options_init(convert_options *o);
+void convert_options_free(convert_options *o);
+extern const struct argp convert_argp;
+int convert_options_check(const convert_options *o);
+
+/* Applies all changes to the particles, bonds and container. */
+int convert_change(convert_job *job);
+
+/* Makes the report and the files. */
+int convert_write(convert_job *job, const char *command);
+
+#endif
