@@ -29,6 +29,7 @@ BELOW = {
 # Public headers named otherwise than their module.
 MODULE_OF = {"types": "base", "placer": "place", "order": "measure", "pores": "measure",
              "porosity": "measure", "sizes": "measure", "readers": "io", "writers": "io"}
+MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
