@@ -8,9 +8,9 @@
  *  components of a mixture one by one. packing_measure_sizes() gives the summary.
  *
  *  A particle weighs r^3, in two dimensions r^2; densities are equal. Only the radii of a view
- *  matter, centres may be anything. Results do not depend on the order of the particles but
- *  for the last bits of sums by mass, and not at all on threads; scaling all lengths by a
- *  power of two changes no bit of them. Thread-safe with a context for each thread. */
+ *  matter, centres may be anything. Results depend neither on the order of the particles nor on
+ *  threads; scaling all lengths by a power of two changes no bit of them. Thread-safe with a
+ *  context for each thread. */
 
 #include <packing/measure.h>
 
