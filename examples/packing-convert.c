@@ -18,14 +18,15 @@ static int set_up(convert_job *job)
 {
   convert_options *o = job->asked;
   int code = options_context(&o->common, &job->context);
+  input_announce(&o->in, &job->files);
+  if (!code)
+    code = outputs_check(&o->common.outputs, job->context, &job->files);
   if (!code)
     code = input_read(&o->in, job->context, &job->files);
   if (!code)
     code = input_domain(&o->in, o->common.domain, &job->spec, &job->domain_text);
   if (!code)
     code = domain_spec_create(job->context, &job->spec, &job->domain);
-  if (!code)
-    code = outputs_check(&o->common.outputs, job->context, &job->files);
   return code;
 }
 

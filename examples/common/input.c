@@ -210,6 +210,12 @@ static int check_dim(input *in)
   return 0;
 }
 
+void input_announce(input *in, input_files *files)
+{
+  in->note = files->count;
+  tap_announce(files, in->path);
+}
+
 int input_read(input *in, packing_context *context, input_files *files)
 {
   packing_file *file = NULL;
@@ -225,7 +231,7 @@ int input_read(input *in, packing_context *context, input_files *files)
   tap_open(&t, packing_file_stream(file));
   status = read_stream(in, context, &t.stream);
   if (status == PACKING_OK)
-    tap_note(&t, files, in->path);
+    tap_finish(&t, files->items[in->note].sha256);
   packing_file_close(file);
   if (status != PACKING_OK || interrupted())
     return failed(in, context, status);

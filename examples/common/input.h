@@ -19,6 +19,7 @@ typedef struct input {
   packing_particles *particles;
   packing_bonds *bonds;
   packing_read_info info;
+  size_t note;       /* which of the files it is */
   char *domain_note; /* what a table says of its container; NULL: nothing */
 } input;
 
@@ -31,7 +32,10 @@ extern const struct argp input_argp;
 /* Whether there is something to read. */
 int input_check(const input *in);
 
-/* Reads it, and notes the file. */
+/* Notes the file before it is read, so that no output takes its place. */
+void input_announce(input *in, input_files *files);
+
+/* Reads it; the note gets its hash. */
 int input_read(input *in, packing_context *context, input_files *files);
 
 /* The container: `asked`, or else what the file tells (said aloud), or else none. The text of

@@ -187,6 +187,7 @@ static int read_option(int key, const char *text, options *o)
   case KEY_PSD:
     return read_once("--psd", text, &o->psd);
   case KEY_DENSITY:
+    o->density_given = 1;
     return number_positive("--density", text, &o->density);
   case KEY_SEED:
     return number_whole("--seed", text, 0, UINT64_MAX, &o->seed);
@@ -285,10 +286,46 @@ const struct argp options_argp = {
     .options = make_table, .parser = parse_all, .children = all_children};
 const struct argp options_amount_argp = {.options = amount_table, .parser = parse_amount};
 
+/* The parts one after the other where the end of --help is made, else the text as it is. */
+static char *end_help(int key, const char *text, const char *const *parts)
+{
+  char *all = NULL;
+  size_t size = 0;
+  if (key != ARGP_KEY_HELP_POST_DOC)
+    return (char *)(uintptr_t)text;
+  FILE *to = open_memstream(&all, &size);
+  if (!to)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  for (; *parts; parts++)
+    fputs(*parts, to);
+  const int failed = ferror(to);
+  if (fclose(to) != 0 || failed || !all)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  return all;
+}
+
 char *options_add_spec_help(int key, const char *text, void *input)
 {
+  static const char *const parts[] = {spec_domain_help,       "\n", spec_psd_help, "\n",
+                                      spec_maker_status_help, NULL};
   (void)input;
-  return key == ARGP_KEY_HELP_POST_DOC ? strdup(spec_help) : (char *)(uintptr_t)text;
+  return end_help(key, text, parts);
+}
+
+char *options_add_domain_help(int key, const char *text, void *input)
+{
+  static const char *const parts[] = {spec_domain_help, "\n", spec_taker_status_help,
+                                      NULL};
+  (void)input;
+  return end_help(key, text, parts);
+}
+
+char *options_add_taker_help(int key, const char *text, void *input)
+{
+  static const char *const parts[] = {spec_domain_help,       "\n", spec_psd_help, "\n",
+                                      spec_taker_status_help, NULL};
+  (void)input;
+  return end_help(key, text, parts);
 }
 
 void options_report_machine(cJSON *all, const options *o, const packing_context *context)

@@ -11,11 +11,12 @@
 #include "output.h"
 
 typedef struct options {
-  const char *domain;    /* NULL: not given */
-  const char *psd;       /* NULL: not given */
-  size_t count;          /* 0: not given */
-  double mass;           /* NaN: not given */
-  double density;        /* [M L^-3], default 1000 */
+  const char *domain; /* NULL: not given */
+  const char *psd;    /* NULL: not given */
+  size_t count;       /* 0: not given */
+  double mass;        /* NaN: not given */
+  double density;     /* [M L^-3], default 1000 */
+  int density_given;
   double porosity;       /* NaN: not given */
   uint64_t seed, stream; /* default 1, 0 */
   int threads;           /* 0: all cores */
@@ -56,8 +57,11 @@ int options_parse(const struct argp *own, int argc, char **argv, void *input);
  * know. Plain arguments are refused. */
 error_t options_refuse(int key, char *argument, struct argp_state *state);
 
-/* A help filter that ends --help with the little language of --domain and --psd. */
+/* A help filter that ends --help with the little language of --domain and --psd, one of --domain
+ * alone, and one of both for programs that judge no pack. */
 char *options_add_spec_help(int key, const char *text, void *input);
+char *options_add_domain_help(int key, const char *text, void *input);
+char *options_add_taker_help(int key, const char *text, void *input);
 
 /* Adds threads, instruction set and audit to the options of a report; then the ways out. */
 void options_report_machine(cJSON *all, const options *o, const packing_context *context);

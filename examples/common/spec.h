@@ -35,6 +35,9 @@ typedef struct domain_spec {
 
 int domain_spec_parse(const char *text, domain_spec *spec);
 
+/* The same of another option, say "--crop". */
+int domain_spec_parse_as(const char *option, const char *text, domain_spec *spec);
+
 /* No container, in `dim` dimensions. */
 void domain_spec_none(int dim, domain_spec *spec);
 
@@ -63,8 +66,10 @@ void input_files_free(input_files *files);
 int psd_spec_create(packing_context *context, const char *text, int dim,
                     packing_psd **psd, input_files *files);
 
-/* What --help says about both. */
-extern const char spec_help[];
+/* What --help says about both, and about the exit status of programs that make packs and of
+ * those that take them. */
+extern const char spec_domain_help[], spec_psd_help[];
+extern const char spec_maker_status_help[], spec_taker_status_help[];
 
 /* Adds a name to a list "a, b, c" for a message. */
 void spec_list(char *list, size_t size, const char *name);

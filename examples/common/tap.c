@@ -32,14 +32,25 @@ void tap_open(tap *t, packing_stream *inner)
   sha256_start(&t->hash);
 }
 
-void tap_note(tap *t, input_files *files, const char *path)
+void tap_finish(tap *t, char digits[65])
 {
   char rest[4096];
   size_t got = 1;
   while (got && tap_read(t, rest, sizeof rest, &got) == PACKING_OK)
     ;
+  sha256_finish(&t->hash, digits);
+}
+
+void tap_announce(input_files *files, const char *path)
+{
   files->items = program_take_more(files->items, files->count + 1, sizeof *files->items);
   input_file *file = &files->items[files->count++];
   file->path = program_copy(path, strlen(path));
-  sha256_finish(&t->hash, file->sha256);
+  file->sha256[0] = '\0';
+}
+
+void tap_note(tap *t, input_files *files, const char *path)
+{
+  tap_announce(files, path);
+  tap_finish(t, files->items[files->count - 1].sha256);
 }

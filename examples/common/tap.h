@@ -21,7 +21,11 @@ typedef struct tap {
 /* `t` stays where it is while its stream is used. */
 void tap_open(tap *t, packing_stream *inner);
 
-/* Reads what the reader left, and notes the file with its hash. */
+/* Reads what the reader left, and tells the hash of all. */
+void tap_finish(tap *t, char digits[65]);
+
+/* Notes a file without its hash; and after reading it, with it. */
+void tap_announce(input_files *files, const char *path);
 void tap_note(tap *t, input_files *files, const char *path);
 
 #endif

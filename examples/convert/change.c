@@ -28,19 +28,19 @@ static double *take_numbers(size_t count)
 
 /* ---- the container ---- */
 
-/* The container is what `text` says from here on. */
-static int set_domain(convert_job *job, char *text)
+/* The container is what `text` says from here on; `option` is at fault if it is none. */
+static int set_domain(convert_job *job, const char *option, char *text)
 {
   free(job->domain_text);
   packing_domain_destroy(job->domain);
   job->domain_text = text;
   job->domain = NULL;
-  const int code = domain_spec_parse(text, &job->spec);
+  const int code = domain_spec_parse_as(option, text, &job->spec);
   return code ? code : domain_spec_create(job->context, &job->spec, &job->domain);
 }
 
 __attribute__((format(printf, 2, 3))) static int append_to_domain(convert_job *job,
-                                                                 const char *format, ...)
+                                                                  const char *format, ...)
 {
   char tail[128], *text = NULL;
   va_list arguments;
@@ -51,7 +51,7 @@ __attribute__((format(printf, 2, 3))) static int append_to_domain(convert_job *j
   va_end(arguments);
   if (asprintf(&text, "%s%s", job->domain_text, tail) < 0)
     exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
-  return set_domain(job, text);
+  return set_domain(job, "--domain", text);
 }
 
 /* ---- scale and shift ---- */
@@ -74,12 +74,12 @@ static packing_status map_column(packing_particles *particles, packing_field fie
 
 static int scale(convert_job *job, const change *c)
 {
-  static const packing_field fields[] = {PACKING_FIELD_X,  PACKING_FIELD_Y,
-                                         PACKING_FIELD_Z,  PACKING_FIELD_R,
-                                         PACKING_FIELD_VX, PACKING_FIELD_VY,
-                                         PACKING_FIELD_VZ};
+  static const packing_field fields[] = {
+      PACKING_FIELD_X,  PACKING_FIELD_Y,  PACKING_FIELD_Z, PACKING_FIELD_R,
+      PACKING_FIELD_VX, PACKING_FIELD_VY, PACKING_FIELD_VZ};
   packing_particles *particles = job->asked->in.particles;
-  const int moving = (packing_particles_columns(particles) & PACKING_COLUMN_VELOCITY) != 0;
+  const int moving =
+      (packing_particles_columns(particles) & PACKING_COLUMN_VELOCITY) != 0;
   packing_status status = PACKING_OK;
   for (int k = 0; k < (moving ? 7 : 4) && status == PACKING_OK; k++)
     status = map_column(particles, fields[k], c->factor, 0);
@@ -151,9 +151,10 @@ static packing_status keep_inside(convert_job *job, const packing_domain *keep)
 static int crop(convert_job *job, const change *c)
 {
   if (c->keep.dim != job->spec.dim)
-    return program_fail(PROGRAM_BAD_INPUT, "--crop: %s has %d dimensions, the pack has %d",
-                        c->text, c->keep.dim, job->spec.dim);
-  const int code = set_domain(job, program_copy(c->text, strlen(c->text)));
+    return program_fail(PROGRAM_BAD_INPUT,
+                        "--crop: %s has %d dimensions, the pack has %d", c->text,
+                        c->keep.dim, job->spec.dim);
+  const int code = set_domain(job, "--crop", program_copy(c->text, strlen(c->text)));
   if (code)
     return code;
   const packing_status status = keep_inside(job, job->domain);
@@ -303,10 +304,10 @@ static int plan_copies(const convert_job *job, const change *c, lattice *l)
   if (job->spec.dim == 3 && c->numbers < 3)
     return program_fail(PROGRAM_BAD_INPUT, "--replicate: '%s' is not NX,NY,NZ", c->text);
   packing_domain_bounds(job->domain, &cell);
-  *l = (lattice){.times = {c->times[0], c->times[1], c->times[2]},
-                 .period = {cell.hi.x - cell.lo.x, cell.hi.y - cell.lo.y,
-                            cell.hi.z - cell.lo.z},
-                 .count = packing_particles_count(job->asked->in.particles)};
+  *l = (lattice){
+      .times = {c->times[0], c->times[1], c->times[2]},
+      .period = {cell.hi.x - cell.lo.x, cell.hi.y - cell.lo.y, cell.hi.z - cell.lo.z},
+      .count = packing_particles_count(job->asked->in.particles)};
   return check_room(l);
 }
 
@@ -345,22 +346,22 @@ static int replicate(convert_job *job, const change *c)
   cell.hi.x = cell.lo.x + (double)l.times[0] * l.period[0];
   cell.hi.y = cell.lo.y + (double)l.times[1] * l.period[1];
   cell.hi.z = cell.lo.z + (double)l.times[2] * l.period[2];
-  return set_domain(job, input_box_text(job->spec.dim, &cell, job->spec.periodic));
+  return set_domain(job, "--replicate", input_box_text(job->spec.dim, &cell, job->spec.periodic));
 }
 
 /* ---- all of them ---- */
 
 int convert_change(convert_job *job)
 {
-  static int (*const changes[])(convert_job *, const change *) = {
-      [CHANGE_CROP] = crop,
-      [CHANGE_SCALE] = scale,
-      [CHANGE_SHIFT] = shift,
-      [CHANGE_REPLICATE] = replicate};
+  static int (*const changes[])(convert_job *,
+                                const change *) = {[CHANGE_CROP] = crop,
+                                                   [CHANGE_SCALE] = scale,
+                                                   [CHANGE_SHIFT] = shift,
+                                                   [CHANGE_REPLICATE] = replicate};
   int code = 0;
   for (size_t i = 0; i < job->asked->change_count && !code; i++)
-    code = interrupted() ? program_interrupted()
-                         : changes[job->asked->changes[i].kind](
-                               job, &job->asked->changes[i]);
+    code = interrupted()
+               ? program_interrupted()
+               : changes[job->asked->changes[i].kind](job, &job->asked->changes[i]);
   return code;
 }

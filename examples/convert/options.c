@@ -140,10 +140,11 @@ const struct argp convert_argp = {
     .options = table,
     .parser = parse,
     .args_doc = "--in=[FORMAT:]FILE --out=[FORMAT:]FILE",
-    .doc = "Turns packs of spheres or discs from any format into any other, and crops, "
-           "scales, moves and repeats them on the way. What a file tells of its container "
-           "goes along, --domain says it where it does not. An audit says what the pack is "
-           "like in the end, and does not change the exit status.\v ",
+    .doc =
+        "Turns packs of spheres or discs from any format into any other, and crops, "
+        "scales, moves and repeats them on the way. What a file tells of its container "
+        "goes along, --domain says it where it does not. An audit says what the pack is "
+        "like in the end, and does not change the exit status.\v ",
     .children = children,
     .help_filter = options_add_domain_help,
 };

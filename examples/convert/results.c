@@ -51,7 +51,8 @@ static void fill_notes(const convert_job *job, notes *all)
   notes_add(all, "source", "%s", o->in.text);
   for (size_t i = 0; i < o->change_count; i++)
     notes_add(all, change_names[o->changes[i].kind], "%s", o->changes[i].text);
-  notes_add(all, "audit", job->report.audit_passed ? "passed, limit %g" : "FAILED, limit %g",
+  notes_add(all, "audit",
+            job->report.audit_passed ? "passed, limit %g" : "FAILED, limit %g",
             o->common.max_overlap);
 }
 
@@ -96,8 +97,12 @@ int convert_write(convert_job *job, const char *command)
   packing_particles_view(job->asked->in.particles, &view);
   if (job->spec.dim == 2)
     view.z.data = NULL;
-  int code = measures_fill(&job->report, job->context, job->domain, &job->spec, NULL, &view,
-                           o->max_overlap);
+  const measured m = {.context = job->context,
+                      .domain = job->domain,
+                      .view = &view,
+                      .dim = job->spec.dim,
+                      .limit = o->max_overlap};
+  int code = measures_fill(&job->report, &m, NULL);
   if (code)
     return code;
   pack p = pack_of(job, &view);

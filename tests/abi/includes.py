@@ -27,9 +27,9 @@ BELOW = {
     "io": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid"},
 }
 # Public headers named otherwise than their module.
-MODULE_OF = {"types": "base", "placer": "place", "order": "measure", "pores": "measure",
-             "porosity": "measure", "sizes": "measure", "readers": "io", "writers": "io"}
-MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure"}
+MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure", "order": "measure",
+             "pores": "measure", "porosity": "measure", "sizes": "measure", "readers": "io",
+             "writers": "io"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
