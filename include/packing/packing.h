@@ -6,6 +6,7 @@
  *  All of libpacking. */
 
 #include <packing/base.h>
+#include <packing/contacts.h>
 #include <packing/dem.h>
 #include <packing/domain.h>
 #include <packing/grid.h>

@@ -10,6 +10,7 @@
 #include "view.h"
 
 typedef struct overlaps {
+  const packing_grid *grid;
   double limit;
   double most;
   size_t i;
@@ -53,26 +54,33 @@ static void keep_overlap(overlaps *o, double overlap, size_t i, size_t j)
   o->j = j;
 }
 
-static void judge_pair(void *arg, size_t i, size_t j, double d, double r_i, double r_j)
+static void judge(overlaps *o, size_t i, size_t j, double d, double r_i, double r_j)
 {
-  overlaps *o = arg;
   const double overlap = (r_i + r_j - d) / (r_i < r_j ? r_i : r_j);
   o->duplicates += (size_t)(d == 0);
   o->count += (size_t)(overlap > o->limit);
   keep_overlap(o, overlap, i, j);
 }
 
-static overlaps no_overlap(double limit)
+static void judge_pair(void *arg, const packing_i_grid_pair *p)
 {
-  const overlaps none = {limit, 0, PACKING_NO_INDEX, PACKING_NO_INDEX, 0, 0};
+  overlaps *o = arg;
+  const packing_grid *g = o->grid;
+  const packing_pair ends = packing_i_grid_ends(g, p);
+  judge(o, ends.i, ends.j, p->distance, g->r[p->own], g->r[p->other]);
+}
+
+static overlaps no_overlap(const audit *a)
+{
+  const overlaps none = {a->grid, a->limit, 0, PACKING_NO_INDEX, PACKING_NO_INDEX, 0, 0};
   return none;
 }
 
 static void judge_block(void *arg, size_t block)
 {
-  static const packing_i_grid_reach touching = {1.0, 0.0};
+  static const packing_i_grid_reach touching = {1.0, 0.0, 0};
   const audit *a = arg;
-  a->overlaps[block] = no_overlap(a->limit);
+  a->overlaps[block] = no_overlap(a);
   packing_i_grid_visit(a->grid, &touching, block, judge_pair, &a->overlaps[block]);
 }
 
@@ -126,7 +134,7 @@ static void judge_images(const audit *a, overlaps *all)
     const size_t i = a->selection == NULL ? k : a->selection[k];
     const double r = packing_i_view_r(a->view, i);
     if (2 * r > least)
-      judge_pair(all, i, i, least, r, r);
+      judge(all, i, i, least, r, r);
   }
 }
 
@@ -138,8 +146,8 @@ static packing_status audit_overlaps(packing_context *context, audit *a,
                                      a->selection, a->count, &grid));
   const size_t blocks = packing_i_grid_blocks(grid);
   const packing_allocator *allocator = packing_i_allocator(context);
-  overlaps all = no_overlap(a->limit);
   a->grid = grid;
+  overlaps all = no_overlap(a);
   a->overlaps = packing_i_alloc(allocator, blocks, sizeof *a->overlaps);
   if (a->overlaps == NULL) {
     packing_grid_destroy(grid);

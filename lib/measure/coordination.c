@@ -13,6 +13,7 @@ typedef struct contact {
 
 /* The contacts of one block: counted first, then listed from `next` on. */
 typedef struct listing {
+  const packing_grid *grid;
   double tolerance;
   size_t count;
   contact *next;
@@ -44,26 +45,26 @@ void packing_coordination_def_fill(packing_coordination_def *def, size_t size)
   packing_i_def_fill(def, size, &defaults, sizeof defaults);
 }
 
-static int touches(const listing *l, double d, double r_i, double r_j)
+static int touches(const listing *l, const packing_i_grid_pair *p)
 {
-  return d - (r_i + r_j) <= l->tolerance * (r_i + r_j);
+  const double r = l->grid->r[p->own] + l->grid->r[p->other];
+  return p->distance - r <= l->tolerance * r;
 }
 
-static void count_contact(void *arg, size_t i, size_t j, double d, double r_i, double r_j)
+static void count_contact(void *arg, const packing_i_grid_pair *p)
 {
   listing *l = arg;
-  (void)i;
-  (void)j;
-  l->count += (size_t)touches(l, d, r_i, r_j);
+  l->count += (size_t)touches(l, p);
 }
 
-static void list_contact(void *arg, size_t i, size_t j, double d, double r_i, double r_j)
+static void list_contact(void *arg, const packing_i_grid_pair *p)
 {
   listing *l = arg;
-  if (!touches(l, d, r_i, r_j))
+  if (!touches(l, p))
     return;
-  l->next->i = i;
-  l->next->j = j;
+  const packing_pair ends = packing_i_grid_ends(l->grid, p);
+  l->next->i = ends.i;
+  l->next->j = ends.j;
   l->next++;
 }
 
@@ -79,12 +80,12 @@ static packing_status find_contacts(packing_context *context, const packing_grid
 {
   const packing_allocator *allocator = packing_i_allocator(context);
   const size_t blocks = packing_i_grid_blocks(grid);
-  search s = {grid, {1.0 + tolerance, 0.0}, count_contact, NULL};
+  search s = {grid, {1.0 + tolerance, 0.0, 0}, count_contact, NULL};
   s.listings = packing_i_calloc(allocator, blocks, sizeof *s.listings);
   if (s.listings == NULL)
     return packing_i_nomem(context);
   for (size_t b = 0; b < blocks; b++)
-    s.listings[b].tolerance = tolerance;
+    s.listings[b] = (listing){grid, tolerance, 0, NULL};
   packing_i_parallel(context, blocks, search_block, &s);
   for (size_t b = 0; b < blocks; b++)
     n->contacts += s.listings[b].count;
