@@ -113,19 +113,27 @@ static void draw_ramp(canvas *sheet, double x, double y, double height)
   cairo_pattern_destroy(ramp);
 }
 
-static void draw_ticks(const colours *c, canvas *sheet, double x, double y, double height)
+static void draw_ticks(const axis_range *scale, canvas *sheet, double x, double y,
+                       double height)
 {
   cairo_set_source_rgb(sheet->cr, 0.2, 0.2, 0.2);
   cairo_set_line_width(sheet->cr, 1);
-  for (size_t k = 0; k < c->scale.count; k++) {
+  for (size_t k = 0; k < scale->count; k++) {
     char label[32];
-    const double at = y + height * (1 - axis_place(&c->scale, c->scale.tick[k]));
+    const double at = y + height * (1 - axis_place(scale, scale->tick[k]));
     cairo_move_to(sheet->cr, x + 20, at);
     cairo_line_to(sheet->cr, x + 25, at);
     cairo_stroke(sheet->cr);
-    snprintf(label, sizeof label, "%.6g", c->scale.tick[k]);
+    snprintf(label, sizeof label, "%.6g", scale->tick[k]);
     canvas_text(sheet, x + 30, at + 6, 17, 0, ALIGN_LEFT, label);
   }
+}
+
+void colours_draw_scale(const axis_range *scale, canvas *sheet, double x, double y,
+                        double height)
+{
+  draw_ramp(sheet, x, y, height);
+  draw_ticks(scale, sheet, x, y, height);
 }
 
 void colours_draw_bar(const colours *c, canvas *sheet, double x, double y, double height)
@@ -145,6 +153,5 @@ void colours_draw_bar(const colours *c, canvas *sheet, double x, double y, doubl
     draw_swatch(sheet, x, y, colours_scale(ONLY), label);
     return;
   }
-  draw_ramp(sheet, x, y, height);
-  draw_ticks(c, sheet, x, y, height);
+  colours_draw_scale(&c->scale, sheet, x, y, height);
 }

@@ -34,6 +34,10 @@ rgb colours_category(size_t component);
 /* A value from 0 to 1 on the scale of the pictures, from dark to light. */
 rgb colours_scale(double t);
 
+/* That scale as a bar with its ticks. */
+void colours_draw_scale(const axis_range *scale, canvas *sheet, double x, double y,
+                        double height);
+
 /* A mixture, t = 0: a, t = 1: b. */
 rgb rgb_mix(rgb a, rgb b, double t);
 

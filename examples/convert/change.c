@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Crop, scale, shift, replicate: particles, bonds and container together. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -334,7 +335,7 @@ static packing_status make_copies(convert_job *job, const lattice *l)
 
 static int replicate(convert_job *job, const change *c)
 {
-  lattice l;
+  lattice l = {.count = 0};
   packing_bounds cell;
   const int code = plan_copies(job, c, &l);
   if (code)
@@ -346,7 +347,8 @@ static int replicate(convert_job *job, const change *c)
   cell.hi.x = cell.lo.x + (double)l.times[0] * l.period[0];
   cell.hi.y = cell.lo.y + (double)l.times[1] * l.period[1];
   cell.hi.z = cell.lo.z + (double)l.times[2] * l.period[2];
-  return set_domain(job, "--replicate", input_box_text(job->spec.dim, &cell, job->spec.periodic));
+  return set_domain(job, "--replicate",
+                    input_box_text(job->spec.dim, &cell, job->spec.periodic));
 }
 
 /* ---- all of them ---- */
