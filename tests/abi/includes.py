@@ -30,7 +30,6 @@ BELOW = {
 MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure", "order": "measure",
              "pores": "measure", "porosity": "measure", "sizes": "measure", "readers": "io",
              "writers": "io"}
-MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure", "order": "measure"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
