@@ -3,7 +3,6 @@
  * centres, bad numbers. Shares nothing with the placers but the grid, whose answers the tests
  * hold against all pairs. A maximum is decided by (value, lowest indices), so neither threads
  * nor the order of visits matter. Linear in the particles. */
-#include "domain/domain_internal.h"
 #include "grid/grid_internal.h"
 #include "measure/measure_internal.h"
 #include "vec.h"
@@ -93,14 +92,6 @@ static double protrusion_of(const packing_domain *domain, packing_vec3 p, double
   return isnan(protrusion) ? (double)INFINITY : protrusion;
 }
 
-/* The same for a box, whose walls are known: most particles touch none. */
-static int is_clear(const packing_i_planar *walls, packing_vec3 p, double r)
-{
-  return walls != NULL && p.x - walls->wall_lo[0] >= r && walls->wall_hi[0] - p.x >= r &&
-         p.y - walls->wall_lo[1] >= r && walls->wall_hi[1] - p.y >= r &&
-         p.z - walls->wall_lo[2] >= r && walls->wall_hi[2] - p.z >= r;
-}
-
 static void protrude_block(void *arg, size_t block)
 {
   const audit *a = arg;
@@ -111,7 +102,7 @@ static void protrude_block(void *arg, size_t block)
     const size_t i = a->selection == NULL ? k : a->selection[k];
     const packing_vec3 p = packing_i_view_centre(a->view, i);
     const double r = packing_i_view_r(a->view, i);
-    if (is_clear(walls, p, r))
+    if (packing_i_measure_is_clear(walls, p, r))
       continue;
     const double protrusion = protrusion_of(a->domain, p, r);
     found.count += (size_t)(protrusion > a->limit);
