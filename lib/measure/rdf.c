@@ -32,6 +32,7 @@ typedef struct rdf {
   double unit;   /* of the bins' radii: 1 or the mean diameter */
   double width;  /* of a bin, in units */
   double r_max;  /* [L] */
+  double step;   /* width of a bin [L] */
   double margin; /* [L] */
   double mean_d;
   unsigned char *role; /* of each particle: sum of CENTRE and PARTNER */
@@ -108,6 +109,7 @@ static packing_status take_measures(packing_context *context, rdf *f)
   f->unit = f->def.in_diameters && f->view->count > 0 ? f->mean_d : 1;
   f->width = f->def.r_max / (double)f->def.bins;
   f->r_max = f->def.r_max * f->unit;
+  f->step = f->width * f->unit;
   f->walled = is_walled(f->domain);
   f->margin = !f->walled           ? 0
               : f->def.margin >= 0 ? f->def.margin * f->unit
@@ -184,14 +186,13 @@ static packing_status find_density(packing_context *context, rdf *f,
   return PACKING_OK;
 }
 
-/* The borders of bin k are exactly k and k + 1 widths; what division rounds is put right. */
+/* The borders of bin k are k and k + 1 steps; what division rounds is put right. */
 static size_t bin_of(const rdf *f, double distance)
 {
-  const double d = distance / f->unit;
-  size_t k = (size_t)(d / f->width);
-  while (k > 0 && d < (double)k * f->width)
+  size_t k = (size_t)(distance / f->step);
+  if (distance < (double)k * f->step)
     k--;
-  while (d >= (double)(k + 1) * f->width)
+  if (distance >= (double)(k + 1) * f->step)
     k++;
   return k;
 }
