@@ -157,7 +157,8 @@ typedef struct packing_neighbours packing_neighbours;
  *  \param view the pack: finite, radii > 0
  *  \param[out] neighbours the lists
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE; PACKING_ERR_NOMEM;
- *          PACKING_ERR_ABI. Linear time; 48 bytes a particle and 16 a neighbour */
+ *          PACKING_ERR_ABI. Linear time; 49 bytes a particle and 16 a neighbour, and
+ *          some 50 a particle more meanwhile */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_neighbours_create(
     packing_context *context, const packing_neighbours_def *def, packing_domain *domain,
     const packing_view *view, packing_neighbours **neighbours);
@@ -181,8 +182,8 @@ typedef struct packing_neighbour {
 /** Tells the neighbours of one particle.
  *  \param neighbours the lists
  *  \param i index in the view
- *  \param[out] list sorted by index (then image), the first `capacity` of them; may be NULL when
- *         that is 0. An index comes again where several images are near
+ *  \param[out] list in an order that depends on the pack only, the first `capacity` of them;
+ *         may be NULL when that is 0. An index comes again where several images are near
  *  \param capacity room in `list`
  *  \param[out] count how many there are, even when they did not all fit
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (i). Thread-safe, but for the

@@ -136,8 +136,8 @@ static void measure_block(void *arg, size_t block)
   memset(p, 0, sizeof *p);
   for (size_t i = block * PACKING_I_MEASURE_BLOCK; i < end; i++) {
     const packing_bond_order found = order_around(o, i);
-    if (i < o->capacity)
-      o->local[i] = found;
+    if (o->neighbours->index[i] < o->capacity)
+      o->local[o->neighbours->index[i]] = found;
     if (o->neighbours->counts[i])
       add_to_part(p, o, i, &found);
   }

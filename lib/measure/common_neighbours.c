@@ -130,8 +130,8 @@ static void measure_block(void *arg, size_t block)
   packing_common_neighbours_report_init(p);
   for (size_t i = block * PACKING_I_MEASURE_BLOCK; i < end; i++) {
     const packing_structure found = structure_of(c->neighbours, i);
-    if (i < c->capacity)
-      c->structures[i] = found;
+    if (c->neighbours->index[i] < c->capacity)
+      c->structures[c->neighbours->index[i]] = found;
     if (!c->neighbours->counts[i])
       continue;
     p->counted++;

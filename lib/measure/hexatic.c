@@ -67,8 +67,8 @@ static void measure_block(void *arg, size_t block)
   part p = {0};
   for (size_t i = block * PACKING_I_MEASURE_BLOCK; i < end; i++) {
     const packing_hexatic found = order_around(h, i);
-    if (i < h->capacity)
-      h->local[i] = found;
+    if (h->neighbours->index[i] < h->capacity)
+      h->local[h->neighbours->index[i]] = found;
     if (!h->neighbours->counts[i])
       continue;
     p.counted++;

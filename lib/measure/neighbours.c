@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lists of neighbours, for the measures of order. A bond names its neighbour and by how many
  * periods that is moved, so bonds of images can be compared without a tolerance. */
+#include "grid/grid_internal.h"
 #include "measure/order_internal.h"
 #include "view.h"
 
@@ -57,17 +58,37 @@ static packing_status check_def(packing_context *context, const packing_neighbou
   return PACKING_OK;
 }
 
+packing_status packing_i_measure_places(packing_context *context,
+                                        const packing_domain *domain,
+                                        const packing_view *view, size_t *index)
+{
+  packing_grid *grid = NULL;
+  packing_view points = *view;
+  double sum = 0;
+  for (size_t i = 0; i < view->count; i++)
+    sum += packing_i_view_r(view, i);
+  const double r = sum / (double)view->count;
+  points.r.data = &r;
+  points.r.stride = 0;
+  PACKING_I_TRY(
+      packing_i_grid_build(context, 1, domain, &points, NULL, view->count, &grid));
+  memcpy(index, grid->index, view->count * sizeof *index);
+  packing_grid_destroy(grid);
+  return PACKING_OK;
+}
+
 /* Centres into the cell and, where flat, onto the plane. */
 static void copy_centres(packing_neighbours *n, const packing_domain *domain,
                          const packing_view *view)
 {
-  for (size_t i = 0; i < n->count; i++) {
-    packing_vec3 p = packing_i_view_centre(view, i);
+  for (size_t k = 0; k < n->count; k++) {
+    packing_vec3 p = packing_i_view_centre(view, n->index[k]);
     if (n->flat)
       p.z = 0;
     if (domain != NULL)
       packing_domain_wrap(domain, &p);
-    n->centre[i] = p;
+    n->centre[k] = p;
+    n->place[n->index[k]] = k;
   }
 }
 
@@ -77,8 +98,8 @@ static void mark_counted(packing_neighbours *n, const packing_domain *domain,
   memset(n->counts, 1, n->count);
   if (domain == NULL || margin == 0)
     return;
-  for (size_t i = 0; i < n->count; i++)
-    n->counts[i] = packing_i_measure_depth(domain, n->centre[i]) >= margin;
+  for (size_t k = 0; k < n->count; k++)
+    n->counts[k] = packing_i_measure_depth(domain, n->centre[k]) >= margin;
 }
 
 static void note_periods(packing_neighbours *n, const packing_domain *domain)
@@ -89,18 +110,49 @@ static void note_periods(packing_neighbours *n, const packing_domain *domain)
   n->period.z = periodic & PACKING_PERIODIC_Z ? domain->body.period.z : 0;
 }
 
-static packing_status find(packing_context *context, packing_neighbours *n,
+/* With the radii in the order of places. */
+static packing_status find_bonds(packing_context *context, packing_neighbours *n,
+                                 const packing_neighbours_def *d,
+                                 const packing_domain *domain, const packing_view *view)
+{
+  packing_view places;
+  packing_status status = PACKING_OK;
+  double *r = packing_i_alloc(n->allocator, n->count, sizeof *r);
+  if (r == NULL)
+    return packing_i_nomem(context);
+  for (size_t k = 0; k < n->count; k++)
+    r[k] = packing_i_view_r(view, n->index[k]);
+  packing_view_init_arrays(&places, n->count, &n->centre->x, &n->centre->y, &n->centre->z,
+                           r);
+  places.x.stride = places.y.stride = places.z.stride = sizeof *n->centre;
+  status =
+      d->kind == PACKING_NEIGHBOURS_NEAREST
+          ? packing_i_neighbours_nearest(context, n, &places, d->nearest)
+          : packing_i_neighbours_within(context, n, domain, &places, d->factor, d->gap);
+  packing_i_free(n->allocator, r);
+  return status;
+}
+
+static packing_status fill(packing_context *context, packing_neighbours *n,
                            const packing_neighbours_def *d, const packing_domain *domain,
                            const packing_view *view)
 {
-  packing_view inside;
-  packing_view_init_arrays(&inside, n->count, &n->centre->x, &n->centre->y, &n->centre->z,
-                           NULL);
-  inside.x.stride = inside.y.stride = inside.z.stride = sizeof *n->centre;
-  inside.r = view->r;
-  if (d->kind == PACKING_NEIGHBOURS_NEAREST)
-    return packing_i_neighbours_nearest(context, n, &inside, d->nearest);
-  return packing_i_neighbours_within(context, n, domain, &inside, d->factor, d->gap);
+  const packing_allocator *allocator = n->allocator;
+  n->index = packing_i_alloc(allocator, n->count, sizeof *n->index);
+  n->place = packing_i_alloc(allocator, n->count, sizeof *n->place);
+  n->centre = packing_i_alloc(allocator, n->count, sizeof *n->centre);
+  n->counts = packing_i_alloc(allocator, n->count, 1);
+  n->start = packing_i_calloc(allocator, n->count + 1, sizeof *n->start);
+  if (n->index == NULL || n->place == NULL || n->centre == NULL || n->counts == NULL ||
+      n->start == NULL)
+    return packing_i_nomem(context);
+  if (n->count == 0)
+    return PACKING_OK;
+  note_periods(n, domain);
+  PACKING_I_TRY(packing_i_measure_places(context, domain, view, n->index));
+  copy_centres(n, domain, view);
+  mark_counted(n, domain, d->margin);
+  return find_bonds(context, n, d, domain, view);
 }
 
 packing_status packing_neighbours_create(packing_context *context,
@@ -120,23 +172,12 @@ packing_status packing_neighbours_create(packing_context *context,
   packing_neighbours *n = packing_i_calloc(allocator, 1, sizeof *n);
   if (n == NULL)
     return packing_i_nomem(context);
-  packing_status status = PACKING_ERR_NOMEM;
   n->context = packing_i_context_hold(context);
   n->allocator = allocator;
   n->kind = d.kind;
   n->flat = flat;
   n->count = v.count;
-  n->centre = packing_i_alloc(allocator, n->count, sizeof *n->centre);
-  n->counts = packing_i_alloc(allocator, n->count, 1);
-  n->start = packing_i_calloc(allocator, n->count + 1, sizeof *n->start);
-  if (n->centre == NULL || n->counts == NULL || n->start == NULL) {
-    status = packing_i_nomem(context);
-  } else {
-    note_periods(n, domain);
-    copy_centres(n, domain, &v);
-    mark_counted(n, domain, d.margin);
-    status = n->count == 0 ? PACKING_OK : find(context, n, &d, domain, &v);
-  }
+  const packing_status status = fill(context, n, &d, domain, &v);
   if (status == PACKING_OK)
     *neighbours = n;
   else
@@ -150,6 +191,8 @@ void packing_neighbours_destroy(packing_neighbours *neighbours)
     return;
   packing_context *context = neighbours->context;
   const packing_allocator *allocator = neighbours->allocator;
+  packing_i_free(allocator, neighbours->index);
+  packing_i_free(allocator, neighbours->place);
   packing_i_free(allocator, neighbours->centre);
   packing_i_free(allocator, neighbours->counts);
   packing_i_free(allocator, neighbours->start);
@@ -176,11 +219,11 @@ packing_status packing_neighbours_of(const packing_neighbours *neighbours, size_
   if (i >= n->count)
     return packing_i_fail(n->context, PACKING_ERR_RANGE, "i", i,
                           "%zu, there are %zu particles", i, n->count);
-  const packing_i_bond *bonds = n->bonds + n->start[i];
-  const size_t there = n->start[i + 1] - n->start[i];
+  const size_t at = n->place[i], there = n->start[at + 1] - n->start[at];
+  const packing_i_bond *bonds = n->bonds + n->start[at];
   for (size_t k = 0; k < there && k < capacity; k++) {
-    list[k].j = bonds[k].j;
-    list[k].d = packing_i_bond_vector(n, i, &bonds[k]);
+    list[k].j = n->index[bonds[k].j];
+    list[k].d = packing_i_bond_vector(n, at, &bonds[k]);
     list[k].distance = packing_i_norm(list[k].d);
   }
   *count = there;

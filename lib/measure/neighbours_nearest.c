@@ -34,6 +34,7 @@ typedef struct search {
 
 /* The best so far about one particle, in order. */
 typedef struct ball {
+  const size_t *index; /* in the view, of each place */
   size_t self;
   size_t wanted;
   double reach;
@@ -43,30 +44,34 @@ typedef struct ball {
   candidate list[ROOM];
 } ball;
 
-static int is_closer(const candidate *a, const candidate *b)
+/* Ties go by index in the view, not by place. */
+static int is_closer(const size_t *index, const candidate *a, const candidate *b)
 {
   if (a->distance != b->distance)
     return a->distance < b->distance;
-  return packing_i_bond_compare(&a->bond, &b->bond) < 0;
+  packing_i_bond x = a->bond, y = b->bond;
+  x.j = index[x.j];
+  y.j = index[y.j];
+  return packing_i_bond_compare(&x, &y) < 0;
 }
 
-static int is_self(const ball *b, size_t index)
+static int is_self(const ball *b, size_t place)
 {
-  return index == b->self && b->image[0] == 0 && b->image[1] == 0 && b->image[2] == 0;
+  return place == b->self && b->image[0] == 0 && b->image[1] == 0 && b->image[2] == 0;
 }
 
-static void offer(void *arg, size_t index, packing_vec3 d, double distance)
+static void offer(void *arg, size_t place, packing_vec3 d, double distance)
 {
   ball *b = arg;
-  const candidate c = {distance, {index, {b->image[0], b->image[1], b->image[2]}}};
+  const candidate c = {distance, {place, {b->image[0], b->image[1], b->image[2]}}};
   (void)d;
-  if (!(distance <= b->reach) || is_self(b, index))
+  if (!(distance <= b->reach) || is_self(b, place))
     return;
   b->met++;
-  if (b->held == b->wanted && !is_closer(&c, &b->list[b->held - 1]))
+  if (b->held == b->wanted && !is_closer(b->index, &c, &b->list[b->held - 1]))
     return;
   size_t at = b->held < b->wanted ? b->held++ : b->held - 1;
-  for (; at > 0 && is_closer(&c, &b->list[at - 1]); at--)
+  for (; at > 0 && is_closer(b->index, &c, &b->list[at - 1]); at--)
     b->list[at] = b->list[at - 1];
   b->list[at] = c;
 }
@@ -141,6 +146,7 @@ static void search_block(void *arg, size_t block)
   const size_t end = packing_i_measure_block_end(block, s->neighbours->count);
   double reach = s->reach;
   ball b = {0};
+  b.index = s->neighbours->index;
   b.wanted = s->wanted;
   for (size_t i = block * PACKING_I_MEASURE_BLOCK; i < end; i++)
     reach = search_one(s, &b, i, reach);

@@ -9,12 +9,14 @@
 #include "vec.h"
 #include <packing/order.h>
 
-/* A neighbour of a particle: particle j, moved by so many periods. 16 bytes. */
+/* A neighbour of a particle: that at place j, moved by so many periods. 16 bytes. */
 typedef struct packing_i_bond {
   size_t j;
   int16_t image[3];
 } packing_i_bond;
 
+/* Particles stand at places, in an order that keeps near ones near: whoever looks at the
+ * neighbours of one place after another finds them in the cache. */
 struct packing_neighbours {
   packing_context *context;
   const packing_allocator *allocator;
@@ -22,13 +24,15 @@ struct packing_neighbours {
   int flat;
   size_t count;
   packing_vec3 period;  /* 0 where not periodic */
+  size_t *index;        /* in the view, of each place */
+  size_t *place;        /* of each index in the view */
   packing_vec3 *centre; /* inside the cell; on the plane where flat */
-  size_t *start; /* bonds of particle i: [start[i], start[i + 1]), sorted by (j, image) */
+  size_t *start; /* bonds of place i: [start[i], start[i + 1]), sorted by (j, image) */
   packing_i_bond *bonds;
   unsigned char *counts; /* whether a particle counts in means */
 };
 
-/* The vector of a bond of particle i. */
+/* The vector of a bond of place i. */
 static inline packing_vec3 packing_i_bond_vector(const packing_neighbours *n, size_t i,
                                                  const packing_i_bond *b)
 {
@@ -38,10 +42,16 @@ static inline packing_vec3 packing_i_bond_vector(const packing_neighbours *n, si
                        (to.z - from.z) + b->image[2] * p.z);
 }
 
+/* Puts particles in an order that keeps near ones near; it depends on the pack only. */
+packing_status packing_i_measure_places(packing_context *context,
+                                        const packing_domain *domain,
+                                        const packing_view *view, size_t *index);
+
 /* -1, 0 or 1: how bonds are sorted. */
 int packing_i_bond_compare(const packing_i_bond *a, const packing_i_bond *b);
 
-/* Fill start and bonds of *n, whose other members are set. What is allocated goes with *n. */
+/* Fill start and bonds of *n, whose other members are set. `view` has the places' centres and
+ * radii. What is allocated goes with *n. */
 packing_status packing_i_neighbours_within(packing_context *context,
                                            packing_neighbours *n,
                                            const packing_domain *domain,
