@@ -140,9 +140,9 @@ packing_measure_curve_errors(packing_context *context, size_t count, const doubl
  *  continuous law lie at least so far from it. (Where the law has atoms the chance is smaller.)
  *  Up to ::PACKING_KOLMOGOROV_EXACT numbers by the matrix of Marsaglia, Tsang and Wang (J. Stat.
  *  Softw. 8(18), 2003), with an error below 1e-13; beyond by the expansion of Pelz and Good
- *  (J. R. Stat. Soc. B 38, 1976), with an error below 1e-8. Where count distance^2 >= 6 (a p
- *  below 1.3e-5) it is twice the exact chance of one side, for any count up to 1e6 to 1e-9 of
- *  itself, beyond by the limit of that.
+ *  (J. R. Stat. Soc. B 38, 1976), with an error below 3e-9. Where count distance^2 >= 6 (a p
+ *  below 1.3e-5) it is twice the exact chance of one side, for any count up to 1e6 to 1e-11 of
+ *  itself, beyond by the limit of that, to (count distance^2)^2 / count of itself.
  *  \param context NULL is fine; lends memory
  *  \param count numbers, at least 1
  *  \param distance from 0 to 1 [1]

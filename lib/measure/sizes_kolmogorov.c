@@ -9,7 +9,7 @@
  *   (n d^2)^2 / n of itself.
  * - n <= 5000: the matrix of Marsaglia, Tsang and Wang (sizes_matrix.c).
  * - beyond: the expansion of W. Pelz and I. J. Good, J. R. Stat. Soc. B 38 (1976), p. 152, whose
- *   next term is O(n^-2); against the matrix at n = 5000 it is off by less than 1e-8. */
+ *   next term is O(n^-2): against the matrix it is off by at most 0.06 / n^2, below 3e-9 beyond n = 5000. */
 #include "measure/sizes_internal.h"
 
 enum { SIDE_EXACT = 1000000 };
@@ -83,7 +83,7 @@ double packing_i_kolmogorov_expansion(double n, double z)
       root / (6480 * z4 * z6) *
           ((5 - 30 * z2) * s.half[3] + (212 * z4 - 60 * z2) * s.half[2] +
            (135 * z4 - 96 * z6) * s.half[1] - (30 * z6 + 90 * z4 * z4) * s.half[0]) +
-      root / (432 * z6) * (3 * z2 * s.whole[0] - s.whole[1]);
+      root / (216 * z6) * (3 * z2 * s.whole[0] - s.whole[1]);
   const double chance = k0 + k1 / sqrt(n) + k2 / n + k3 / (n * sqrt(n));
   return fmin(fmax(chance, 0), 1);
 }

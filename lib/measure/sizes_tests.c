@@ -54,9 +54,9 @@ static void chi_square(const packing_psd *psd, const packing_i_sizes *sizes, siz
                                 : packing_psd_quantile(psd, PACKING_BY_NUMBER,
                                                        (double)k / (double)bins);
     const int end = at >= last;
-    if (at <= edge_before)
-      continue;
     const double asked = end ? 1 : packing_psd_cdf(psd, PACKING_BY_NUMBER, at);
+    if (at <= edge_before || asked <= asked_before)
+      continue;
     const double placed = end ? 1 : packing_i_sizes_upto(sizes, PACKING_BY_NUMBER, at);
     const double expected = n * (asked - asked_before);
     const double excess = n * (placed - placed_before) - expected;
