@@ -34,7 +34,7 @@ static packing_status take_head(packing_i_vtk_source *s, uint64_t bytes, header 
   PACKING_I_TRY(packing_i_vtk_take_size(s, &h->last));
   if (h->last == 0)
     h->last = h->block;
-  if (h->blocks == 0 || h->last > h->block || h->last > bytes || h->block > bytes ||
+  if (h->blocks == 0 || h->last == 0 || h->last > h->block || h->last > bytes ||
       (bytes - h->last) % h->block != 0 || (bytes - h->last) / h->block != h->blocks - 1)
     return bad(s, "the array has another length than its piece asks for");
   if (packing_i_vtk_left(s) / (s->file->wide_header ? 8 : 4) < h->blocks)
