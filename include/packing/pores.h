@@ -7,7 +7,7 @@
  *  four (three) particles of one cell of the regular (power) triangulation from outside; a
  *  constriction is the narrowest place on the way from a pore to the next: the sphere, centred in
  *  their plane, that touches the three particles of the face between two cells (in two
- *  dimensions: half the gap between two). Roozbahani et al.'s equations 2 and 3, solved in a
+ *  dimensions: half the gap between two). Equations 2 and 3 of the sequential trilateration method, solved in a
  *  local frame as one quadratic.
  *
  *  The triangulation is that of the centres with weights r^2, made by exact predicates. For
