@@ -204,19 +204,19 @@ static inline void packing_section_def_init(packing_section_def *def)
 
 /** Puts the plane across an axis.
  *  \param[in,out] def the options, initialised
- *  \param axis the normal
+ *  \param along the axis that is the normal
  *  \param height coordinate of the plane along it [L] */
-static inline void packing_section_def_across(packing_section_def *def, packing_axis axis,
-                                              double height)
+static inline void packing_section_def_across(packing_section_def *def,
+                                              packing_axis along, double height)
 {
   const packing_vec3 zero = {0, 0, 0};
   def->point = def->normal = zero;
-  *(axis == PACKING_AXIS_X   ? &def->point.x
-    : axis == PACKING_AXIS_Y ? &def->point.y
-                             : &def->point.z) = height;
-  *(axis == PACKING_AXIS_X   ? &def->normal.x
-    : axis == PACKING_AXIS_Y ? &def->normal.y
-                             : &def->normal.z) = 1;
+  *(along == PACKING_AXIS_X   ? &def->point.x
+    : along == PACKING_AXIS_Y ? &def->point.y
+                              : &def->point.z) = height;
+  *(along == PACKING_AXIS_X   ? &def->normal.x
+    : along == PACKING_AXIS_Y ? &def->normal.y
+                              : &def->normal.z) = 1;
 }
 
 /** A disc that the plane cuts out of a particle. */

@@ -142,6 +142,34 @@ packing_i_domain_near_walls(const packing_domain *domain, const packing_vec3 *po
   return domain->body.ops->near_walls(&domain->body, point, reach, near);
 }
 
+/* Whether a ball lies wholly inside: at least r from the walls and below an open top. */
+int packing_i_domain_keeps_whole(const packing_domain *domain, const packing_vec3 *centre,
+                                 double r);
+
+/* A convex cell, to cut containers and particles with: a box, or what a box and a cylinder or
+ * a ball have in common. */
+typedef enum packing_i_cell_kind {
+  PACKING_I_CELL_BOX,
+  PACKING_I_CELL_CYLINDER, /* in two dimensions a disc, as is a ball */
+  PACKING_I_CELL_BALL
+} packing_i_cell_kind;
+
+typedef struct packing_i_cell {
+  packing_i_cell_kind kind;
+  packing_bounds box; /* infinite entries are fine */
+  int axis;           /* of the cylinder */
+  packing_vec3 centre;
+  double radius;
+} packing_i_cell;
+
+/* The volume (area) that a container, a cell and, when r > 0, a ball have in common, and its
+ * error: a bound for closed forms, else an estimate. The tolerance is relative to the ball, or
+ * to the container when r is 0. Without a ball the cell must be bounded in the container's
+ * periodic directions. 0, or -1 when a custom container misbehaves. Thread-safe. */
+int packing_i_domain_cell_volume(const packing_domain *domain, const packing_i_cell *cell,
+                                 const packing_vec3 *centre, double r, double tolerance,
+                                 double *volume, double *error);
+
 /* One component of a separation. The difference is exact for neighbours in a cell; on a tie
  * the shorter way round is the direct one. Odd: swapping the ends changes the sign alone. */
 static inline double packing_i_nearest_image(double difference, double period)
