@@ -245,15 +245,20 @@ int input_read(input *in, packing_context *context, input_files *files)
 char *input_box_text(int dim, const packing_bounds *box, unsigned periodic)
 {
   static const char *const letters[] = {"", "x", "y", "xy", "z", "xz", "yz", "xyz"};
-  char *text = NULL;
-  const double w = box->hi.x - box->lo.x, d = box->hi.y - box->lo.y;
+  const double lo[] = {box->lo.x, box->lo.y, box->lo.z};
+  const double size[] = {box->hi.x - box->lo.x, box->hi.y - box->lo.y,
+                         box->hi.z - box->lo.z};
+  char l[3][NUMBER_TEXT], at[3][NUMBER_TEXT], *text = NULL;
   const char *word = periodic ? "+periodic:" : "";
+  for (int k = 0; k < 3; k++) {
+    number_text(l[k], size[k]);
+    number_text(at[k], lo[k]);
+  }
   const int length =
-      dim == 2 ? asprintf(&text, "rect:%.17g,%.17g%s%s+at:%.17g,%.17g", w, d, word,
-                          letters[periodic & 3], box->lo.x, box->lo.y)
-               : asprintf(&text, "box:%.17g,%.17g,%.17g%s%s+at:%.17g,%.17g,%.17g", w, d,
-                          box->hi.z - box->lo.z, word, letters[periodic & 7], box->lo.x,
-                          box->lo.y, box->lo.z);
+      dim == 2 ? asprintf(&text, "rect:%s,%s%s%s+at:%s,%s", l[0], l[1], word,
+                          letters[periodic & 3], at[0], at[1])
+               : asprintf(&text, "box:%s,%s,%s%s%s+at:%s,%s,%s", l[0], l[1], l[2], word,
+                          letters[periodic & 7], at[0], at[1], at[2]);
   if (length < 0)
     exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
   return text;

@@ -255,7 +255,10 @@ static cJSON *shared_object(const report *r, cJSON *options)
   report_add_text(root, "command", r->command);
   check(cJSON_AddItemToObject(root, "options", options) ? root : NULL);
   add_input(root, r->input);
-  report_add_u64(root, "seed", r->seed);
+  if (r->seedless)
+    report_add_text(root, "seed", NULL);
+  else
+    report_add_u64(root, "seed", r->seed);
   report_add_count(root, "threads", (size_t)r->threads);
   report_add_count(root, "dim", (size_t)r->dim);
   return root;

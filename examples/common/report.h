@@ -24,6 +24,7 @@ typedef struct report {
   const char *command;
   cJSON *options; /* becomes the report's */
   const input_files *input;
+  int seedless; /* 1: nothing random, the seed is null */
   uint64_t seed;
   int threads;
   int dim;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Crop, scale, shift, replicate: particles, bonds and container together. */
+/* Crop, scale, shift: particles, bonds and container together. */
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,14 +11,14 @@
 static const packing_field place_fields[] = {PACKING_FIELD_X, PACKING_FIELD_Y,
                                              PACKING_FIELD_Z};
 
-static int failed(const convert_job *job, const change *c, packing_status status)
+int convert_failed(const convert_job *job, const change *c, packing_status status)
 {
   char where[32];
   snprintf(where, sizeof where, "--%s", change_names[c->kind]);
   return program_status(job->context, status, where);
 }
 
-static double *take_numbers(size_t count)
+double *convert_take_numbers(size_t count)
 {
   double *made = malloc((count ? count : 1) * sizeof *made);
   if (!made)
@@ -29,8 +28,7 @@ static double *take_numbers(size_t count)
 
 /* ---- the container ---- */
 
-/* The container is what `text` says from here on; `option` is at fault if it is none. */
-static int set_domain(convert_job *job, const char *option, char *text)
+int convert_set_domain(convert_job *job, const char *option, char *text)
 {
   free(job->domain_text);
   packing_domain_destroy(job->domain);
@@ -40,19 +38,23 @@ static int set_domain(convert_job *job, const char *option, char *text)
   return code ? code : domain_spec_create(job->context, &job->spec, &job->domain);
 }
 
-__attribute__((format(printf, 2, 3))) static int append_to_domain(convert_job *job,
-                                                                  const char *format, ...)
+/* Appends "+WORD:V" or "+WORD:V,V ..." to what the container is. */
+static int append_to_domain(convert_job *job, const char *word, const double *v,
+                            int count)
 {
-  char tail[128], *text = NULL;
-  va_list arguments;
+  char tail[16 + 3 * NUMBER_TEXT], *text = NULL;
+  int used = snprintf(tail, sizeof tail, "+%s", word);
   if (!job->domain)
     return 0;
-  va_start(arguments, format);
-  vsnprintf(tail, sizeof tail, format, arguments);
-  va_end(arguments);
+  for (int k = 0; k < count; k++) {
+    char number[NUMBER_TEXT];
+    number_text(number, v[k]);
+    used +=
+        snprintf(tail + used, sizeof tail - (size_t)used, "%c%s", k ? ',' : ':', number);
+  }
   if (asprintf(&text, "%s%s", job->domain_text, tail) < 0)
     exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
-  return set_domain(job, "--domain", text);
+  return convert_set_domain(job, "--domain", text);
 }
 
 /* ---- scale and shift ---- */
@@ -62,7 +64,7 @@ static packing_status map_column(packing_particles *particles, packing_field fie
                                  double factor, double term)
 {
   const size_t count = packing_particles_count(particles);
-  double *numbers = take_numbers(count);
+  double *numbers = convert_take_numbers(count);
   packing_status status =
       packing_particles_extract(particles, field, numbers, sizeof *numbers);
   for (size_t i = 0; i < count; i++)
@@ -85,8 +87,8 @@ static int scale(convert_job *job, const change *c)
   for (int k = 0; k < (moving ? 7 : 4) && status == PACKING_OK; k++)
     status = map_column(particles, fields[k], c->factor, 0);
   if (status != PACKING_OK)
-    return failed(job, c, status);
-  return append_to_domain(job, "+scale:%.17g", c->factor);
+    return convert_failed(job, c, status);
+  return append_to_domain(job, "scale", &c->factor, 1);
 }
 
 static int shift(convert_job *job, const change *c)
@@ -100,10 +102,8 @@ static int shift(convert_job *job, const change *c)
   for (int k = 0; k < job->spec.dim && status == PACKING_OK; k++)
     status = map_column(job->asked->in.particles, place_fields[k], 1, by[k]);
   if (status != PACKING_OK)
-    return failed(job, c, status);
-  return job->spec.dim == 2
-             ? append_to_domain(job, "+at:%.17g,%.17g", by[0], by[1])
-             : append_to_domain(job, "+at:%.17g,%.17g,%.17g", by[0], by[1], by[2]);
+    return convert_failed(job, c, status);
+  return append_to_domain(job, "at", by, job->spec.dim);
 }
 
 /* ---- crop ---- */
@@ -155,211 +155,23 @@ static int crop(convert_job *job, const change *c)
     return program_fail(PROGRAM_BAD_INPUT,
                         "--crop: %s has %d dimensions, the pack has %d", c->text,
                         c->keep.dim, job->spec.dim);
-  const int code = set_domain(job, "--crop", program_copy(c->text, strlen(c->text)));
+  const int code =
+      convert_set_domain(job, "--crop", program_copy(c->text, strlen(c->text)));
   if (code)
     return code;
   const packing_status status = keep_inside(job, job->domain);
-  return status == PACKING_OK ? 0 : failed(job, c, status);
-}
-
-/* ---- replicate ---- */
-
-/* The copies along each axis, and the period. */
-typedef struct lattice {
-  size_t times[3];
-  double period[3];
-  size_t count; /* particles of the pack itself */
-} lattice;
-
-static packing_vec3 offset(const lattice *l, size_t ix, size_t iy, size_t iz)
-{
-  return (packing_vec3){(double)ix * l->period[0], (double)iy * l->period[1],
-                        (double)iz * l->period[2]};
-}
-
-/* Appends a copy of the first particles, whose columns `view` shows, moved. */
-static packing_status append_copy(packing_particles *to, const packing_view *view,
-                                  packing_vec3 by, double *moved)
-{
-  const pack p = {.view = *view};
-  packing_view copy = *view;
-  packing_column *places[] = {&copy.x, &copy.y, &copy.z};
-  for (size_t i = 0; i < view->count; i++) {
-    const packing_vec3 c = pack_centre(&p, i);
-    moved[i] = c.x + by.x;
-    moved[view->count + i] = c.y + by.y;
-    moved[2 * view->count + i] = c.z + by.z;
-  }
-  for (size_t k = 0; k < 3; k++)
-    *places[k] = (packing_column){moved + k * view->count, sizeof *moved};
-  return packing_particles_append(to, &copy);
-}
-
-static packing_status number_ids(packing_particles *particles)
-{
-  const size_t count = packing_particles_count(particles);
-  if (!(packing_particles_columns(particles) & PACKING_COLUMN_ID))
-    return PACKING_OK;
-  int64_t *ids = program_take(count, sizeof *ids);
-  for (size_t i = 0; i < count; i++)
-    ids[i] = (int64_t)i + 1;
-  const packing_status status =
-      packing_particles_set(particles, PACKING_FIELD_ID, ids, sizeof *ids);
-  free(ids);
-  return status;
-}
-
-static packing_status copy_particles(const convert_job *job, const lattice *l,
-                                     packing_particles *to)
-{
-  packing_view view;
-  packing_status status = PACKING_OK;
-  double *moved = take_numbers(3 * l->count);
-  packing_particles_view(job->asked->in.particles, &view);
-  for (size_t iz = 0; iz < l->times[2]; iz++)
-    for (size_t iy = 0; iy < l->times[1]; iy++)
-      for (size_t ix = 0; ix < l->times[0] && status == PACKING_OK; ix++)
-        status = append_copy(to, &view, offset(l, ix, iy, iz), moved);
-  free(moved);
-  return status == PACKING_OK ? number_ids(to) : status;
-}
-
-/* How many periods lie between the image of j that is next to i, and j itself. */
-static void image_of(const convert_job *job, const lattice *l, const packing_bond *b,
-                     long image[3])
-{
-  pack p = {.view = {0}};
-  packing_particles_view(job->asked->in.particles, &p.view);
-  const packing_vec3 from = pack_centre(&p, b->i), to = pack_centre(&p, b->j);
-  const packing_vec3 near = packing_domain_separation(job->domain, &from, &to);
-  const double across[] = {near.x - (to.x - from.x), near.y - (to.y - from.y),
-                           near.z - (to.z - from.z)};
-  for (int k = 0; k < 3; k++)
-    image[k] = l->period[k] > 0 ? lround(across[k] / l->period[k]) : 0;
-}
-
-static size_t copy_of(const lattice *l, const long at[3])
-{
-  size_t place[3];
-  for (int k = 0; k < 3; k++) {
-    const long n = (long)l->times[k];
-    place[k] = (size_t)(((at[k] % n) + n) % n);
-  }
-  return place[0] + l->times[0] * (place[1] + l->times[1] * place[2]);
-}
-
-static void copy_bond(const lattice *l, const packing_bond *b, const long image[3],
-                      packing_bond *to)
-{
-  size_t made = 0;
-  for (long iz = 0; iz < (long)l->times[2]; iz++)
-    for (long iy = 0; iy < (long)l->times[1]; iy++)
-      for (long ix = 0; ix < (long)l->times[0]; ix++) {
-        const long there[3] = {ix + image[0], iy + image[1], iz + image[2]};
-        to[made] = *b;
-        to[made].i += l->count * made;
-        to[made].j += l->count * copy_of(l, there);
-        made++;
-      }
-}
-
-static void copy_bonds(convert_job *job, const lattice *l)
-{
-  const size_t copies = l->times[0] * l->times[1] * l->times[2];
-  packing_bond *bonds = program_take(job->bond_count * copies, sizeof *bonds);
-  for (size_t k = 0; k < job->bond_count; k++) {
-    long image[3];
-    image_of(job, l, &job->bonds[k], image);
-    copy_bond(l, &job->bonds[k], image, bonds + k * copies);
-  }
-  free(job->bonds);
-  job->bonds = bonds;
-  job->bond_count *= copies;
-}
-
-/* Whether the copies are few enough to be counted; says so if not. */
-static int check_room(const lattice *l)
-{
-  const double most = (double)UINT32_MAX;
-  const double all = (double)l->times[0] * (double)l->times[1] * (double)l->times[2];
-  if (all * (double)(l->count ? l->count : 1) > most)
-    return program_fail(PROGRAM_BAD_INPUT,
-                        "--replicate: %.0f particles are more than %.0f",
-                        all * (double)l->count, most);
-  return 0;
-}
-
-static int plan_copies(const convert_job *job, const change *c, lattice *l)
-{
-  packing_bounds cell;
-  if (job->spec.kind != DOMAIN_BOX && job->spec.kind != DOMAIN_RECT)
-    return program_fail(PROGRAM_BAD_INPUT,
-                        "--replicate: only a box or rect repeats, and %s",
-                        job->domain ? "this container is none"
-                                    : "nothing tells the container; see --domain");
-  if (job->spec.open_top)
-    return program_fail(PROGRAM_BAD_INPUT, "--replicate: a box with an open top does not "
-                                           "repeat");
-  if (job->spec.dim == 2 && c->times[2] != 1)
-    return program_fail(PROGRAM_BAD_INPUT, "--replicate: NZ must be 1 in two dimensions");
-  if (job->spec.dim == 3 && c->numbers < 3)
-    return program_fail(PROGRAM_BAD_INPUT, "--replicate: '%s' is not NX,NY,NZ", c->text);
-  packing_domain_bounds(job->domain, &cell);
-  *l = (lattice){
-      .times = {c->times[0], c->times[1], c->times[2]},
-      .period = {cell.hi.x - cell.lo.x, cell.hi.y - cell.lo.y, cell.hi.z - cell.lo.z},
-      .count = packing_particles_count(job->asked->in.particles)};
-  return check_room(l);
-}
-
-static packing_status make_copies(convert_job *job, const lattice *l)
-{
-  packing_particles **old = &job->asked->in.particles, *made = NULL;
-  packing_particles_def def;
-  packing_particles_def_init(&def);
-  def.dim = packing_particles_dim(*old);
-  def.columns = packing_particles_columns(*old);
-  def.capacity = l->count * l->times[0] * l->times[1] * l->times[2];
-  packing_status status = packing_particles_create(job->context, &def, &made);
-  if (status == PACKING_OK)
-    status = copy_particles(job, l, made);
-  if (status != PACKING_OK) {
-    packing_particles_destroy(made);
-    return status;
-  }
-  copy_bonds(job, l);
-  packing_particles_destroy(*old);
-  *old = made;
-  return PACKING_OK;
-}
-
-static int replicate(convert_job *job, const change *c)
-{
-  lattice l = {.count = 0};
-  packing_bounds cell;
-  const int code = plan_copies(job, c, &l);
-  if (code)
-    return code;
-  const packing_status status = make_copies(job, &l);
-  if (status != PACKING_OK)
-    return failed(job, c, status);
-  packing_domain_bounds(job->domain, &cell);
-  cell.hi.x = cell.lo.x + (double)l.times[0] * l.period[0];
-  cell.hi.y = cell.lo.y + (double)l.times[1] * l.period[1];
-  cell.hi.z = cell.lo.z + (double)l.times[2] * l.period[2];
-  return set_domain(job, "--replicate",
-                    input_box_text(job->spec.dim, &cell, job->spec.periodic));
+  return status == PACKING_OK ? 0 : convert_failed(job, c, status);
 }
 
 /* ---- all of them ---- */
 
 int convert_change(convert_job *job)
 {
-  static int (*const changes[])(convert_job *,
-                                const change *) = {[CHANGE_CROP] = crop,
-                                                   [CHANGE_SCALE] = scale,
-                                                   [CHANGE_SHIFT] = shift,
-                                                   [CHANGE_REPLICATE] = replicate};
+  static int (*const changes[])(convert_job *, const change *) = {[CHANGE_CROP] = crop,
+                                                                  [CHANGE_SCALE] = scale,
+                                                                  [CHANGE_SHIFT] = shift,
+                                                                  [CHANGE_REPLICATE] =
+                                                                      convert_replicate};
   int code = 0;
   for (size_t i = 0; i < job->asked->change_count && !code; i++)
     code = interrupted()

@@ -59,6 +59,14 @@ int convert_options_check(const convert_options *o);
 /* Applies all changes to the particles, bonds and container. */
 int convert_change(convert_job *job);
 
+/* Their parts: the failure of a change; `count` numbers, or the end of the program; the container
+ * is what `text` (taken) says from here on, `option` being at fault if it is none; the change that
+ * has a file of its own. */
+int convert_failed(const convert_job *job, const change *c, packing_status status);
+double *convert_take_numbers(size_t count);
+int convert_set_domain(convert_job *job, const char *option, char *text);
+int convert_replicate(convert_job *job, const change *c);
+
 /* Makes the report and the files. */
 int convert_write(convert_job *job, const char *command);
 

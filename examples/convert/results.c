@@ -82,6 +82,7 @@ static char *make_report(convert_job *job, const char *command)
   report *r = &job->report;
   r->program = convert_program;
   r->command = command;
+  r->seedless = 1;
   r->options = report_options(job, density_of(job));
   r->input = &job->files;
   r->threads = packing_context_threads(job->context);

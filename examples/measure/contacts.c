@@ -8,6 +8,7 @@ static packing_status measure_classes(measure_job *job)
 {
   packing_classes_def def;
   packing_classes_def_init(&def);
+  packing_classes_report_init(&job->classes);
   def.up = job->asked->up;
   return packing_contacts_classes(job->contacts, &def, &job->classes);
 }

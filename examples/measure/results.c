@@ -82,6 +82,7 @@ static char *make_report(measure_job *job, const char *command, double start)
   report *r = &job->report;
   r->program = measure_program;
   r->command = command;
+  r->seedless = 1;
   r->options = report_options(job);
   r->input = &job->files;
   r->threads = packing_context_threads(job->context);

@@ -47,8 +47,11 @@ static void say_contacts(const measure_job *job)
   const packing_classes_report *c = &job->classes;
   if (!job->contacts)
     return;
-  say("coordination", "%.3f; %.3f without %zu rattlers; %zu contacts with walls",
-      r->coordination_mean, r->coordination_mean_no_rattlers, r->rattlers,
+  char rest[80] = "all are rattlers";
+  if (isfinite(r->coordination_mean_no_rattlers))
+    snprintf(rest, sizeof rest, "%.3f without %zu rattlers",
+             r->coordination_mean_no_rattlers, r->rattlers);
+  say("coordination", "%.3f; %s; %zu contacts with walls", r->coordination_mean, rest,
       packing_contacts_wall_count(job->contacts));
   say("stability", "firm %.1f %%, stable %.1f %%, non stable %.1f %%",
       100 * c->firm_share, 100 * c->stable_share, 100 * c->non_stable_share);
