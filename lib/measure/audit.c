@@ -134,7 +134,7 @@ static packing_status audit_overlaps(packing_context *context, audit *a,
 {
   packing_grid *grid = NULL;
   PACKING_I_TRY(packing_i_grid_build(context, PACKING_I_GRID_LEVELS, a->domain, a->view,
-                                     a->selection, a->count, &grid));
+                                     a->selection, a->count, NULL, &grid));
   const size_t blocks = packing_i_grid_blocks(grid);
   const packing_allocator *allocator = packing_i_allocator(context);
   a->grid = grid;
