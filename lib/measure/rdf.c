@@ -21,7 +21,7 @@ enum {
   POINT_SHARE = 8 /* radius of a point of the grid: a share of r_max */
 };
 
-enum { CENTRE = 1, PARTNER = 2 };
+enum { CENTRE = 1, PARTNER = 2 /* count_pair() leans on the values */ };
 
 typedef struct rdf {
   const packing_domain *domain;
@@ -35,8 +35,10 @@ typedef struct rdf {
   double step;   /* width of a bin [L] */
   double margin; /* [L] */
   double mean_d;
-  unsigned char *role; /* of each particle: sum of CENTRE and PARTNER */
-  const packing_i_images *images;
+  unsigned char *role;   /* of each particle: sum of CENTRE and PARTNER */
+  unsigned char *placed; /* the same, in the order of the grid */
+  const packing_grid *grid;
+  const packing_i_grid_reach *reach;
   size_t blocks;
   size_t lanes;
   uint64_t *counts; /* of each lane, its bins */
@@ -197,13 +199,12 @@ static size_t bin_of(const rdf *f, double distance)
   return k;
 }
 
-static void count_pair(void *arg, const packing_i_image *p)
+/* By the grid's places: there are many pairs, and what is near stands near there. */
+static void count_pair(void *arg, const packing_i_grid_pair *p)
 {
   const lane *l = arg;
-  const unsigned char *role = l->rdf->role;
-  const uint64_t met =
-      (uint64_t)((role[p->i] & CENTRE) != 0 && (role[p->j] & PARTNER) != 0) +
-      (uint64_t)((role[p->j] & CENTRE) != 0 && (role[p->i] & PARTNER) != 0);
+  const unsigned a = l->rdf->placed[p->own], b = l->rdf->placed[p->other];
+  const unsigned met = ((a & b >> 1) & 1) + ((b & a >> 1) & 1);
   if (met == 0 || !(p->distance <= l->rdf->r_max))
     return;
   const size_t k = bin_of(l->rdf, p->distance);
@@ -216,7 +217,7 @@ static void count_lane(void *arg, size_t k)
   const rdf *f = arg;
   lane l = {f, f->counts + k * f->def.bins};
   for (size_t block = k; block < f->blocks; block += f->lanes)
-    packing_i_images_visit(f->images, block, count_pair, &l);
+    packing_i_grid_visit(f->grid, f->reach, block, count_pair, &l);
 }
 
 static void merge_lanes(rdf *f)
@@ -225,9 +226,27 @@ static void merge_lanes(rdf *f)
     f->counts[at % f->def.bins] += f->counts[at];
 }
 
-static packing_status count_all(packing_context *context, rdf *f)
+static packing_status count_placed(packing_context *context, rdf *f)
 {
   const packing_allocator *allocator = packing_i_allocator(context);
+  const size_t fit = LANE_BINS / f->def.bins, most = fit < LANES ? fit : LANES;
+  f->blocks = packing_i_grid_blocks(f->grid);
+  f->lanes = f->blocks < most ? f->blocks : most;
+  f->lanes = f->lanes > 0 ? f->lanes : 1;
+  f->placed = packing_i_alloc(allocator, f->view->count, 1);
+  f->counts = packing_i_calloc(allocator, f->lanes * f->def.bins, sizeof *f->counts);
+  if (f->placed == NULL || f->counts == NULL)
+    return packing_i_nomem(context);
+  for (size_t k = 0; k < f->view->count; k++)
+    f->placed[k] = f->role[f->grid->index[k]];
+  packing_i_parallel(context, f->lanes, count_lane, f);
+  merge_lanes(f);
+  return PACKING_OK;
+}
+
+/* Points take the place of the particles: cells then go with r_max, not with the radii. */
+static packing_status count_all(packing_context *context, rdf *f)
+{
   const double point_r = f->r_max / POINT_SHARE;
   packing_i_images *images = NULL;
   packing_view points = *f->view;
@@ -235,18 +254,11 @@ static packing_status count_all(packing_context *context, rdf *f)
   points.r.stride = 0;
   PACKING_I_TRY(
       packing_i_images_create(context, f->domain, &points, 0, f->r_max, &images));
-  const size_t fit = LANE_BINS / f->def.bins, most = fit < LANES ? fit : LANES;
-  f->images = images;
-  f->blocks = packing_i_images_blocks(images);
-  f->lanes = f->blocks < most ? f->blocks : most;
-  f->lanes = f->lanes > 0 ? f->lanes : 1;
-  f->counts = packing_i_calloc(allocator, f->lanes * f->def.bins, sizeof *f->counts);
-  if (f->counts != NULL) {
-    packing_i_parallel(context, f->lanes, count_lane, f);
-    merge_lanes(f);
-  }
+  f->grid = packing_i_images_grid(images);
+  f->reach = packing_i_images_reach(images);
+  const packing_status status = count_placed(context, f);
   packing_i_images_destroy(images);
-  return f->counts == NULL ? packing_i_nomem(context) : PACKING_OK;
+  return status;
 }
 
 /* Without a centre or partner 0 / 0 is the NaN of what is not known. */
@@ -303,6 +315,7 @@ packing_status packing_measure_rdf(packing_context *context, const packing_rdf_d
     status = packing_i_report_write(context, report, &found, sizeof found);
   }
   packing_i_free(allocator, f.role);
+  packing_i_free(allocator, f.placed);
   packing_i_free(allocator, f.counts);
   return status;
 }
