@@ -246,8 +246,12 @@ static double reference(const job *j)
   if (j->body != NULL)
     return j->body->volume;
   double box = 1;
-  for (int k = 0; k < j->dim; k++)
-    box *= high_side(j, k) - low_side(j, k);
+  for (int k = 0; k < j->dim; k++) {
+    const int round = j->cell->kind == PACKING_I_CELL_BALL ||
+                      (j->cell->kind == PACKING_I_CELL_CYLINDER && k != j->cell->axis);
+    const double size = high_side(j, k) - low_side(j, k);
+    box *= round ? fmin(size, 2 * j->cell->radius) : size;
+  }
   return box;
 }
 
@@ -365,7 +369,28 @@ static double free_part(const job *j, int in_box, int in_cell, double *error)
   return sliced(j, error);
 }
 
-/* What a container that is neither box nor custom and the cell make of the ball. */
+/* Without a ball: clips the box to the container's bounds and says whether it then lies wholly
+ * inside (1), outside (-1) or neither (0). */
+static int clip(job *j)
+{
+  packing_vec3 middle = {0, 0, 0};
+  double reach = 0;
+  for (int k = 0; k < j->dim; k++) {
+    const double lo = fmax(low_side(j, k), packing_i_component(j->body->bounds.lo, k));
+    const double hi = fmin(high_side(j, k), packing_i_component(j->body->bounds.hi, k));
+    if (!(lo < hi))
+      return -1;
+    packing_i_set_component(&j->box.lo, k, lo);
+    packing_i_set_component(&j->box.hi, k, hi);
+    packing_i_set_component(&middle, k, 0.5 * (lo + hi));
+    reach += 0.25 * (hi - lo) * (hi - lo);
+  }
+  const double d = j->body->ops->signed_distance(j->body, &middle, NULL);
+  reach = sqrt(reach);
+  return d <= -reach ? -1 : d >= reach;
+}
+
+/* What the container, the cell and the ball have in common. */
 static int part(job *j, double *volume, double *error)
 {
   const int in_box = j->r > 0 ? side_of_box(j) : 0;
@@ -373,6 +398,13 @@ static int part(job *j, double *volume, double *error)
   *volume = *error = 0;
   if (in_box < 0 || in_cell < 0)
     return 0;
+  if (j->r == 0 && j->body != NULL) {
+    const int side = clip(j);
+    if (side < 0)
+      return 0;
+    if (side > 0)
+      j->body = NULL;
+  }
   if (j->body == NULL)
     *volume = free_part(j, in_box, in_cell, error);
   else if (in_box > 0 && in_cell > 0)

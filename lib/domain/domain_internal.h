@@ -170,6 +170,33 @@ int packing_i_domain_cell_volume(const packing_domain *domain, const packing_i_c
                                  const packing_vec3 *centre, double r, double tolerance,
                                  double *volume, double *error);
 
+/* How large the radius of a round cell must be to hold the container; along periodic directions
+ * that the cell grows into, half the smallest period. */
+double packing_i_domain_reach(const packing_domain *domain, const packing_i_cell *cell);
+
+/* A plane through a container of three dimensions, in which (u, v) is the point
+ * origin + u u_axis + v v_axis; all unit vectors, u_axis x v_axis = normal. */
+typedef struct packing_i_plane {
+  packing_vec3 origin, u_axis, v_axis, normal;
+} packing_i_plane;
+
+/* A rectangle that holds the container's section (of a periodic cell: cut at its borders). 0:
+ * the plane misses it. */
+int packing_i_domain_section_window(const packing_domain *domain,
+                                    const packing_i_plane *plane, double lo[2],
+                                    double hi[2]);
+
+/* The area that the container's section, and when r > 0 the disc round (u, v), have in common,
+ * and its error: a bound for closed forms, else an estimate. The tolerance is relative to the
+ * disc or the window. 0, or -1 when a custom container misbehaves. Thread-safe. */
+int packing_i_domain_section_area(const packing_domain *domain,
+                                  const packing_i_plane *plane, double u, double v,
+                                  double r, double tolerance, double *area,
+                                  double *error);
+
+/* Whether a point lies in the region; in a periodic cell, in the cell. */
+int packing_i_domain_contains(const packing_domain *domain, const packing_vec3 *point);
+
 /* One component of a separation. The difference is exact for neighbours in a cell; on a tie
  * the shorter way round is the direct one. Odd: swapping the ends changes the sign alone. */
 static inline double packing_i_nearest_image(double difference, double period)

@@ -77,6 +77,11 @@ enum { PACKING_I_DISCS = 3 };
 double packing_i_discs_area(int count, const packing_i_disc discs[], const double lo[2],
                             const double hi[2]);
 
+/* How much of the line start + t direction (a unit vector), least <= t <= most, lies in the
+ * container. Of a periodic cell, in the cell. Not for custom containers. */
+double packing_i_chord(const packing_i_domain_body *body, const packing_vec3 *start,
+                       const packing_vec3 *direction, double least, double most);
+
 /* How often intervals are halved. */
 typedef struct packing_i_depths {
   int least, most; /* at most PACKING_I_DEEPEST */
