@@ -17,5 +17,6 @@
 #include <packing/readers.h>
 #include <packing/rng.h>
 #include <packing/types.h>
+#include <packing/writers.h>
 
 #endif

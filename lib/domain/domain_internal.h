@@ -117,6 +117,13 @@ const packing_i_planar *packing_i_domain_planar(const packing_domain *domain);
 /* The axis of a cylinder, tube, cone or silo (a packing_axis), else -1. */
 int packing_i_domain_axis(const packing_domain *domain);
 
+/* A sphere, circle or annulus, else NULL. */
+const packing_i_round *packing_i_domain_round(const packing_domain *domain);
+
+/* Radii of the slice of a body of revolution at a height within the region. */
+double packing_i_revolution_outer(const packing_i_revolution *p, double h);
+double packing_i_revolution_inner(const packing_i_revolution *p, double h);
+
 /* The walls whose distance from a point inside (or a little outside) is less than reach, each
  * once, in the order of their numbers; returns how many. Every wall is taken as far as its
  * surface goes on, which in the built-in containers makes a difference only outside: there the

@@ -91,10 +91,6 @@ int packing_i_revolution_sphere_volume(const packing_i_domain_body *body,
                                        const packing_vec3 *centre, double r,
                                        double tolerance, double *volume, double *error);
 
-/* Radii of the slice at a height within the region. */
-double packing_i_revolution_outer(const packing_i_revolution *p, double h);
-double packing_i_revolution_inner(const packing_i_revolution *p, double h);
-
 /* rho and h of a point, and the direction of rho (an axis where rho is 0). */
 void packing_i_revolution_local(const packing_i_revolution *p, const packing_vec3 *point,
                                 double *rho, double *h, packing_vec3 *radial);

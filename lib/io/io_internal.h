@@ -44,11 +44,37 @@ int64_t packing_i_view_id(const packing_view *view, size_t i);
 /* An entry of an int32_t column, `absent` where there is none. */
 int32_t packing_i_view_int(const packing_column *column, size_t i, int32_t absent);
 double packing_i_view_largest_r(const packing_view *view);
+/* The box around all particles, of which there is one at least. */
+packing_bounds packing_i_io_around(const packing_view *view);
 /* The box of a cell: `given` when it is not all zeros, else around the particles. A flat
  * one is one largest diameter thick around z = 0. Refuses what is empty or not finite. */
 packing_status packing_i_io_box(packing_context *context, const packing_view *view,
                                 const packing_bounds *given, int flat,
                                 packing_bounds *box);
+
+/* Bonds join different particles of the view (write_bonds.c). */
+packing_status packing_i_check_bonds(packing_context *context, size_t count,
+                                     const packing_bond *bonds, size_t bond_count);
+/* Types of bonds are 1 and above; the largest one, at least 1. */
+packing_status packing_i_bond_types(packing_context *context, const packing_bond *bonds,
+                                    size_t bond_count, int32_t *largest);
+/* The group of each particle: those joined by bonds have one number, the groups are 1, 2, ...
+ * by their first particle, a particle without a bond has 0. `groups` has `count` entries and is
+ * the caller's to free. */
+packing_status packing_i_bond_groups(packing_context *context, size_t count,
+                                     const packing_bond *bonds, size_t bond_count,
+                                     uint32_t **groups);
+/* Ids are different and in lowest .. 2^31 - 1; at most 2^31 - 1 particles (write_ids.c). Those
+ * of a view without ids are `lowest` and up. */
+packing_status packing_i_check_ids(packing_context *context, const packing_view *view,
+                                   int64_t lowest);
+int64_t packing_i_id_from(const packing_view *view, size_t i, int64_t lowest);
+/* Types are 1 and above; the largest one, at least 1 (write_ids.c). */
+packing_status packing_i_check_types(packing_context *context, const packing_view *view,
+                                     int32_t *largest);
+/* Centres are inside, not on the upper faces. */
+packing_status packing_i_check_inside(packing_context *context, const packing_view *view,
+                                      const packing_bounds *box);
 
 /* Passes on the failure of a stream; says so in the context unless the stream is that of a
  * file, which has said more. */
@@ -68,7 +94,7 @@ int packing_i_stream_reports_to(const packing_stream *stream,
 typedef struct packing_i_writer {
   packing_context *context;
   const packing_stream *stream;
-  const packing_i_format *format;
+  const char *name; /* of the format, for messages */
   packing_status status;
   char *buffer;
   size_t used, capacity;
@@ -77,6 +103,9 @@ typedef struct packing_i_writer {
 packing_status packing_i_writer_begin(packing_i_writer *writer, packing_context *context,
                                       const packing_i_format *format,
                                       const packing_stream *stream);
+/* The same for a format that has no descriptor of this kind. */
+packing_status packing_i_writer_open(packing_i_writer *writer, packing_context *context,
+                                     const char *name, const packing_stream *stream);
 /* Flushes, frees and returns the first failure. */
 packing_status packing_i_writer_end(packing_i_writer *writer);
 void packing_i_put_bytes(packing_i_writer *writer, const void *data, size_t count);

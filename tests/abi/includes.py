@@ -24,7 +24,7 @@ BELOW = {
     "io": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid"},
 }
 # Public headers named otherwise than their module.
-MODULE_OF = {"types": "base", "placer": "place", "readers": "io"}
+MODULE_OF = {"types": "base", "placer": "place", "readers": "io", "writers": "io"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
