@@ -74,7 +74,8 @@ static packing_status build_grid(packing_i_pore_network *n, const packing_view *
   packing_view own;
   packing_view_init_arrays(&own, n->count, n->x, n->y, n->z, n->r);
   return packing_i_grid_build(n->context, PACKING_I_GRID_LEVELS, n->domain,
-                              n->domain != NULL ? view : &own, NULL, n->count, &n->grid);
+                              n->domain != NULL ? view : &own, NULL, n->count, NULL,
+                              &n->grid);
 }
 
 static packing_status build(packing_i_pore_network *n, const packing_view *view)
