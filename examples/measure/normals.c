@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The histogram of contact normals. */
+#include <math.h>
 #include <stdlib.h>
 #include "../common/program.h"
 #include "measure.h"
@@ -23,12 +24,20 @@ static packing_status take(measure_job *job, const packing_normals_def *def)
   return status;
 }
 
+/* From 6 to 18 bands, with some 40 entries a bin in between. */
+static int bands_of(const measure_job *job)
+{
+  const double entries = 2 * (double)packing_contacts_count(job->contacts);
+  const int bands = 2 * (int)floor(0.5 * sqrt(entries / 40));
+  return bands < 6 ? 6 : bands > 18 ? 18 : bands;
+}
+
 int normals_measure(measure_job *job)
 {
   packing_normals_def def;
   packing_normals_def_init(&def);
-  def.bands = job->asked->normals;
-  def.sectors = 2 * job->asked->normals;
+  def.bands = job->asked->normals ? job->asked->normals : bands_of(job);
+  def.sectors = 2 * def.bands;
   const packing_status status = take(job, &def);
   return status == PACKING_OK ? 0 : measure_failed(job, status, "--normals");
 }

@@ -41,7 +41,7 @@ static const struct argp_option table[] = {
      "write the list of pairs whose surfaces are at most GAP apart, a length (CSV)", 3},
     {"normals", KEY_NORMALS, "BANDS", 0,
      "the histogram of contact normals in bins of equal area, in so many bands from pole "
-     "to pole (with --plot 18; in two dimensions twice as many sectors)",
+     "to pole (default with --plot 6 to 18; in two dimensions twice as many sectors)",
      3},
     {NULL, 0, NULL, 0, "Order and void, where asked for (order always):", 4},
     {"order", KEY_ORDER, "WHO", 0,
@@ -415,7 +415,6 @@ void measure_options_complete(measure_options *o, const domain_spec *spec)
   if (!o->plot)
     return;
   o->rdf = 1;
-  o->normals = o->normals ? o->normals : 18;
   if (o->profile_count == 0) {
     o->profiles = program_take(1, sizeof *o->profiles);
     o->profiles[o->profile_count++] =

@@ -88,7 +88,7 @@ static void title_rdf(canvas *sheet, const rdf_found *found)
   char below[160] = "", count[40];
   if (found->bins) {
     canvas_format_count(count, sizeof count, found->report.centres);
-    snprintf(below, sizeof below, "%s centres, mean diameter %.6g; 1 is a random pack",
+    snprintf(below, sizeof below, "%s centres, mean diameter %.6g; dashed: no order",
              count, found->report.mean_d);
   }
   panel_title(sheet, LEFT, 40, WIDTH - LEFT - RIGHT, "Radial distribution", below);

@@ -11,8 +11,8 @@
 #include "measure.h"
 
 enum {
-  WIDTH = 1360,
-  FLAT_WIDTH = 760,
+  WIDTH = 1400,
+  FLAT_WIDTH = 900,
   HEIGHT = 760,
   MARGIN = 40,
   RADIUS = 250, /* of the map, and of the longest bar */
@@ -120,10 +120,9 @@ static double light_on(const rose *g, packing_vec3 n)
   return 0.62 + 0.38 * fmax(0, -0.42 * x + 0.62 * y + 0.66 * z);
 }
 
-static void fill_face(const rose *g, const packing_vec3 *points, int count, rgb colour)
+static void fill_face(const rose *g, const packing_vec3 *points, int count, rgb colour,
+                      rgb edge)
 {
-  static const rgb black = {0.03, 0.04, 0.09};
-  const rgb edge = rgb_mix(colour, black, 0.35);
   cairo_t *cr = g->sheet->cr;
   cairo_new_path(cr);
   for (int i = 0; i < count; i++) {
@@ -147,35 +146,40 @@ static void draw_bar(const rose *g, size_t k)
   const double ratio = ratio_of(g, k), length = ratio / g->longest;
   const int count = outline_of(b, points);
   const packing_vec3 middle = middle_of(b);
-  const rgb colour = colour_of(g, ratio);
+  const rgb colour = colour_of(g, ratio), shadow = rgb_mix(colour, black, 0.45);
   if (!(ratio > 0))
     return;
   for (int i = 0; i < count; i++)
     points[i] = times(points[i], length);
   for (int i = 0; i < count; i++) {
     const packing_vec3 side[] = {{0, 0, 0}, points[i], points[(i + 1) % count]};
-    fill_face(g, side, 3, rgb_mix(colour, black, 0.45));
+    fill_face(g, side, 3, shadow, shadow);
   }
-  fill_face(g, points, count, rgb_mix(black, colour, light_on(g, middle)));
+  fill_face(g, points, count, rgb_mix(black, colour, light_on(g, middle)), shadow);
 }
 
-static void draw_axis(const rose *g, packing_vec3 along, const char *name)
+static void draw_axis(const rose *g, packing_vec3 along)
 {
   cairo_t *cr = g->sheet->cr;
   const spot from = camera_project(&g->view, times(along, -1.12));
   const spot to = camera_project(&g->view, times(along, 1.12));
-  const spot label = camera_project(&g->view, times(along, 1.2));
   cairo_set_source_rgb(cr, 0.55, 0.55, 0.58);
   cairo_set_line_width(cr, 1.2);
   cairo_move_to(cr, from.x, from.y);
   cairo_line_to(cr, to.x, to.y);
   cairo_stroke(cr);
-  cairo_set_source_rgb(cr, 0.2, 0.2, 0.2);
+}
+
+static void name_axis(const rose *g, packing_vec3 along, const char *name)
+{
+  const spot label = camera_project(&g->view, times(along, 1.2));
+  cairo_set_source_rgb(g->sheet->cr, 0.2, 0.2, 0.2);
   canvas_text(g->sheet, label.x, label.y + 6, 19, 1, ALIGN_MIDDLE, name);
 }
 
 static packing_status draw_bars(rose *g, double x)
 {
+  static const packing_vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const size_t count = g->found->count;
   bar *bars = malloc(count * sizeof *bars);
   if (!bars)
@@ -184,14 +188,15 @@ static packing_status draw_bars(rose *g, double x)
   g->view.scale = RADIUS;
   g->view.x = x;
   g->view.y = MIDDLE;
-  draw_axis(g, (packing_vec3){1, 0, 0}, "x");
-  draw_axis(g, (packing_vec3){0, 1, 0}, "y");
-  draw_axis(g, (packing_vec3){0, 0, 1}, "z");
+  for (int k = 0; k < 3; k++)
+    draw_axis(g, axes[k]);
   for (size_t k = 0; k < count; k++)
     bars[k] = (bar){k, dot(middle_of(&g->found->bins[k]), g->view.toward)};
   qsort(bars, count, sizeof *bars, far_first);
   for (size_t k = 0; k < count; k++)
     draw_bar(g, bars[k].bin);
+  for (int k = 0; k < 3; k++)
+    name_axis(g, axes[k], axis_name((packing_axis)k));
   free(bars);
   return PACKING_OK;
 }
@@ -228,7 +233,7 @@ static void draw_map(const rose *g, double x)
   cairo_new_path(cr);
   cairo_arc(cr, x, MIDDLE, RADIUS, 0, 2 * M_PI);
   cairo_stroke(cr);
-  canvas_text(g->sheet, x + RADIUS + 14, MIDDLE + 6, 19, 1, ALIGN_MIDDLE, "x");
+  canvas_text(g->sheet, x + RADIUS + 18, MIDDLE + 6, 19, 1, ALIGN_MIDDLE, "x");
   canvas_text(g->sheet, x, MIDDLE - RADIUS - 12, 19, 1, ALIGN_MIDDLE, "y");
   canvas_text(g->sheet, x, MIDDLE + RADIUS + 34, 17, 0, ALIGN_MIDDLE,
               "seen along z: the pole in the middle, the horizon at the rim");
@@ -267,6 +272,7 @@ static void draw_sectors(const rose *g, double x)
   cairo_arc(cr, x, MIDDLE, RADIUS / g->longest, 0, 2 * M_PI);
   cairo_stroke(cr);
   cairo_restore(cr);
+  cairo_set_source_rgb(cr, 0.2, 0.2, 0.2);
   canvas_text(g->sheet, x + RADIUS + 22, MIDDLE + 6, 19, 1, ALIGN_MIDDLE, "x");
   canvas_text(g->sheet, x, MIDDLE - RADIUS - 14, 19, 1, ALIGN_MIDDLE, "y");
   canvas_text(g->sheet, x, MIDDLE + RADIUS + 40, 17, 0, ALIGN_MIDDLE,

@@ -18,8 +18,8 @@ typedef struct tile {
 
 typedef struct layout {
   tile *tiles;
-  size_t count, columns, rows;
-  double width, height; /* of the largest image */
+  size_t count, columns;
+  double width; /* of the widest image */
 } layout;
 
 /* Planes that meet the container. */
@@ -33,16 +33,24 @@ static void collect(const measure_job *job, layout *l)
       l->tiles = program_take_more(l->tiles, l->count + 1, sizeof *l->tiles);
       l->tiles[l->count++] = (tile){plane, job->asked->sections[i].axis};
       l->width = fmax(l->width, (double)plane->image.columns);
-      l->height = fmax(l->height, (double)plane->image.rows);
     }
-  if (l->count == 0) {
-    l->width = l->height = 400;
-    l->columns = l->rows = 1;
-    return;
-  }
   const size_t fit = (size_t)fmax(1, floor((WIDEST + GAP) / (l->width + GAP)));
   l->columns = l->count < fit ? l->count : fit;
-  l->rows = (l->count + l->columns - 1) / l->columns;
+}
+
+/* Where the row of tile k begins, below the title; of k = count where all end. */
+static double top_of(const layout *l, size_t k)
+{
+  double top = TITLE;
+  for (size_t row = 0; row < k; row += l->columns) {
+    double tallest = 0;
+    if (row + l->columns > k && k < l->count)
+      break;
+    for (size_t i = row; i < row + l->columns && i < l->count; i++)
+      tallest = fmax(tallest, (double)l->tiles[i].plane->image.rows);
+    top += tallest + CAPTION + GAP;
+  }
+  return top;
 }
 
 static uint32_t shade_of(unsigned char pixel)
@@ -78,7 +86,7 @@ static void draw_tile(canvas *sheet, const layout *l, size_t k)
   char text[120];
   const tile *t = &l->tiles[k];
   const double x = MARGIN + (double)(k % l->columns) * (l->width + GAP);
-  const double y = TITLE + (double)(k / l->columns) * (l->height + CAPTION + GAP);
+  const double y = top_of(l, k);
   paint(sheet, t->plane, x, y);
   snprintf(text, sizeof text, "%s = %.6g: void %.4f", axis_name(t->axis),
            t->plane->height, t->plane->report.porosity);
@@ -95,7 +103,7 @@ packing_status plot_section(const pack *p, const packing_stream *stream)
   char below[120];
   collect(job, &l);
   const double width = fmax(520, 2 * MARGIN + (double)l.columns * (l.width + GAP) - GAP);
-  const double height = TITLE + (double)l.rows * (l.height + CAPTION + GAP);
+  const double height = top_of(&l, l.count);
   const packing_status status =
       canvas_open(&sheet, stream, job->asked->svg, (int)width, (int)height);
   snprintf(below, sizeof below, "black: void, white: particles; porosity of all %.4f",

@@ -37,7 +37,7 @@ int measure_run(measure_job *job)
   const stage stages[] = {
       {"audit, contacts", measure_common, 1},
       {"contacts", contacts_measure, some},
-      {"normals", normals_measure, some && o->normals > 0},
+      {"normals", normals_measure, some && (o->normals > 0 || o->plot)},
       {"order", order_measure, some && !o->no_order},
       {"radial distribution", rdf_measure, some && o->rdf},
       {"profiles", profiles_measure, o->profile_count > 0},

@@ -116,9 +116,11 @@ static void find_range(const measure_job *job, sizes_found *found)
     const double r = pack_radius(&p, i);
     found->lo = fmin(found->lo, r);
     found->hi = fmax(found->hi, r);
-    sum += r;
   }
-  found->mean = sum / (double)job->view.count;
+  /* From the smallest, so that the mean of equal ones is theirs. */
+  for (size_t i = 0; i < job->view.count; i++)
+    sum += pack_radius(&p, i) - found->lo;
+  found->mean = found->lo + sum / (double)job->view.count;
 }
 
 /* Radii of the curves: even steps of the logarithm over all that is asked and there is. */
