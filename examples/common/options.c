@@ -379,13 +379,24 @@ error_t options_refuse(int key, char *argument, struct argp_state *state)
   return ARGP_ERR_UNKNOWN;
 }
 
-int options_parse(const struct argp *own, int argc, char **argv, void *input)
+static int parse_line(const struct argp *own, int argc, char **argv, unsigned flags,
+                      void *input)
 {
   argp_program_version_hook = print_version;
-  const error_t error = argp_parse(own, argc, argv, 0, NULL, input);
+  const error_t error = argp_parse(own, argc, argv, flags, NULL, input);
   if (error == ENOMEM)
     return program_fail(PROGRAM_SYSTEM, "out of memory");
   return error == 0 ? 0 : PROGRAM_BAD_INPUT;
+}
+
+int options_parse(const struct argp *own, int argc, char **argv, void *input)
+{
+  return parse_line(own, argc, argv, 0, input);
+}
+
+int options_parse_in_order(const struct argp *own, int argc, char **argv, void *input)
+{
+  return parse_line(own, argc, argv, ARGP_IN_ORDER, input);
 }
 
 void options_init(options *o)

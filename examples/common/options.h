@@ -53,6 +53,9 @@ extern const struct argp options_amount_argp;
  * goes to the program's parser, which hands an `options` to its children. */
 int options_parse(const struct argp *own, int argc, char **argv, void *input);
 
+/* The same, plain arguments coming to the parser where they stand among the options. */
+int options_parse_in_order(const struct argp *own, int argc, char **argv, void *input);
+
 /* The parser of a program without options of its own; others call it for what they do not
  * know. Plain arguments are refused. */
 error_t options_refuse(int key, char *argument, struct argp_state *state);

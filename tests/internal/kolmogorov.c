@@ -16,7 +16,7 @@ static void the_expansion_nears_the_matrix(void **state)
   (void)state;
   const double counts[] = {200, 500, 1000, 5000};
   for (size_t c = 0; c < 4; c++)
-    for (double z = 0.3; z < 2.5; z += 0.1) {
+    for (double z = 0.3; z < 2.5; z += c < 3 ? 0.1 : 0.4) {
       const double n = counts[c];
       assert_near(packing_i_kolmogorov_expansion(n, z), exact((size_t)n, z / sqrt(n)),
                   0.06 / (n * n) + 1e-13);
