@@ -194,9 +194,10 @@ packing_status packing_i_gunzip_create(packing_context *context,
                                        const packing_stream *stream,
                                        packing_i_gunzip **gunzip)
 {
-  packing_i_gunzip *g = packing_i_calloc(packing_i_allocator(context), 1, sizeof *g);
+  packing_i_gunzip *g = packing_i_alloc(packing_i_allocator(context), 1, sizeof *g);
   if (g == NULL)
     return packing_i_nomem(context);
+  memset(g, 0, offsetof(packing_i_gunzip, buffer));
   g->context = context;
   g->format = format;
   g->from = stream;

@@ -34,7 +34,7 @@ typedef struct packing_i_read {
   size_t used;
 } packing_i_read;
 
-enum { PACKING_I_READ_BATCH = 1024 /* rows; 160 bytes each */ };
+enum { PACKING_I_READ_BATCH = 256 /* rows; 128 bytes each */ };
 
 struct packing_i_reader {
   packing_i_format format;

@@ -37,17 +37,17 @@ static const struct {
 /* One Piece. */
 typedef struct piece {
   uint64_t points;
-  packing_i_vtk_array arrays[ROLES];
+  packing_i_read_vtk_array arrays[ROLES];
 } piece;
 
 typedef struct vtk {
-  packing_i_vtk_file file;
+  packing_i_read_vtk_file file;
   packing_i_xml xml;
   unsigned char *data;
   size_t size, capacity;
   piece *pieces;
   size_t piece_count, piece_capacity;
-  packing_i_vtk_values values[ROLES]; /* of one piece */
+  packing_i_read_vtk_values values[ROLES]; /* of one piece */
 } vtk;
 
 static packing_i_read *reading(const vtk *v)
@@ -177,7 +177,7 @@ static role role_of(const vtk *v, packing_i_words name)
   return r;
 }
 
-static packing_status describe(const vtk *v, packing_i_vtk_array *a)
+static packing_status describe(const vtk *v, packing_i_read_vtk_array *a)
 {
   static const char *const kinds[] = {"Int8",    "UInt8",   "Int16", "UInt16",
                                       "Int32",   "UInt32",  "Int64", "UInt64",
@@ -186,28 +186,29 @@ static packing_status describe(const vtk *v, packing_i_vtk_array *a)
   int kind, form;
   a->tag = v->xml.attributes.at;
   PACKING_I_TRY(choose(v, "type", kinds, -1, &kind));
-  PACKING_I_TRY(choose(v, "format", forms, PACKING_I_VTK_ASCII, &form));
+  PACKING_I_TRY(choose(v, "format", forms, PACKING_I_READ_VTK_ASCII, &form));
   PACKING_I_TRY(packing_i_xml_count(&v->xml, "NumberOfComponents", 1, &a->components));
   PACKING_I_TRY(packing_i_xml_count(&v->xml, "offset", 0, &a->offset));
-  a->kind = (packing_i_vtk_kind)kind;
-  a->form = (packing_i_vtk_form)form;
+  a->kind = (packing_i_read_vtk_kind)kind;
+  a->form = (packing_i_read_vtk_form)form;
   a->content.at = a->content.end = v->xml.at;
   if (v->xml.empty)
     return PACKING_OK;
   a->content.end = memchr(v->xml.at, '<', (size_t)(v->xml.end - v->xml.at));
-  return a->content.end != NULL ? PACKING_OK
-                                : packing_i_vtk_fail(&v->file, a->tag, PACKING_ERR_FORMAT,
-                                                     "an array without an end");
+  return a->content.end != NULL
+             ? PACKING_OK
+             : packing_i_read_vtk_fail(&v->file, a->tag, PACKING_ERR_FORMAT,
+                                       "an array without an end");
 }
 
 static packing_status start_array(vtk *v, role r)
 {
-  packing_i_vtk_array found = {0};
-  packing_i_vtk_array *a = &v->pieces[v->piece_count - 1].arrays[r];
+  packing_i_read_vtk_array found = {0};
+  packing_i_read_vtk_array *a = &v->pieces[v->piece_count - 1].arrays[r];
   PACKING_I_TRY(describe(v, &found));
   if (a->tag != NULL)
-    return packing_i_vtk_fail(&v->file, found.tag, PACKING_ERR_FORMAT,
-                              "a second array for the same");
+    return packing_i_read_vtk_fail(&v->file, found.tag, PACKING_ERR_FORMAT,
+                                   "a second array for the same");
   if (found.components != roles[r].components) {
     reading(v)->byte = (uint64_t)(found.tag - v->xml.first);
     return packing_i_read_fail(
@@ -228,15 +229,15 @@ static packing_status find_appended(vtk *v)
   while (*p == ' ' || *p == '\t' || *p == '\n' || *p == '\r')
     p++;
   if (*p != '_')
-    return packing_i_vtk_fail(&v->file, p, PACKING_ERR_FORMAT,
-                              "appended data do not begin with _");
+    return packing_i_read_vtk_fail(&v->file, p, PACKING_ERR_FORMAT,
+                                   "appended data do not begin with _");
   p++;
   const char *end = v->xml.end;
   if (v->file.appended_base64) {
     end = memchr(p, '<', (size_t)(end - p));
     if (end == NULL)
-      return packing_i_vtk_fail(&v->file, p, PACKING_ERR_FORMAT,
-                                "appended data without an end");
+      return packing_i_read_vtk_fail(&v->file, p, PACKING_ERR_FORMAT,
+                                     "appended data without an end");
   }
   v->file.appended = (const unsigned char *)p;
   v->file.appended_size = (size_t)(end - p);
@@ -250,8 +251,8 @@ static packing_status start_element(vtk *v, int *ended)
   if (x->depth == 1) {
     if (packing_i_xml_is(x, 0, "VTKFile"))
       return start_file(v);
-    return packing_i_vtk_fail(&v->file, x->attributes.at, PACKING_ERR_FORMAT,
-                              "no VTKFile");
+    return packing_i_read_vtk_fail(&v->file, x->attributes.at, PACKING_ERR_FORMAT,
+                                   "no VTKFile");
   }
   if (x->depth == 2 && packing_i_xml_is(x, 0, "AppendedData")) {
     *ended = 1;
@@ -282,7 +283,8 @@ static packing_status walk(vtk *v)
     ended |= event == PACKING_I_XML_LAST;
   }
   return began ? PACKING_OK
-               : packing_i_vtk_fail(&v->file, v->data, PACKING_ERR_FORMAT, "no VTKFile");
+               : packing_i_read_vtk_fail(&v->file, v->data, PACKING_ERR_FORMAT,
+                                         "no VTKFile");
 }
 
 /* The columns of a piece; all that are not empty must have the same. */
@@ -291,16 +293,16 @@ static packing_status check_piece(const vtk *v, const piece *p, const piece *fir
 {
   const void *place = p->arrays[POINTS].tag;
   if (place == NULL)
-    return packing_i_vtk_fail(&v->file, v->data + v->size, PACKING_ERR_FORMAT,
-                              "a piece without Points");
+    return packing_i_read_vtk_fail(&v->file, v->data + v->size, PACKING_ERR_FORMAT,
+                                   "a piece without Points");
   if (p->arrays[RADIUS].tag == NULL && p->arrays[DIAMETER].tag == NULL)
-    return packing_i_vtk_fail(&v->file, place, PACKING_ERR_FORMAT,
-                              "no point data of radii or diameters");
+    return packing_i_read_vtk_fail(&v->file, place, PACKING_ERR_FORMAT,
+                                   "no point data of radii or diameters");
   *columns = 0;
   for (role r = POINTS; r < ROLES; r++) {
     if ((p->arrays[r].tag == NULL) != (first->arrays[r].tag == NULL))
-      return packing_i_vtk_fail(&v->file, place, PACKING_ERR_FORMAT,
-                                "a piece with other point data than the first");
+      return packing_i_read_vtk_fail(&v->file, place, PACKING_ERR_FORMAT,
+                                     "a piece with other point data than the first");
     *columns |= p->arrays[r].tag == NULL ? 0 : roles[r].column;
   }
   return PACKING_OK;
@@ -312,7 +314,7 @@ static void take_vector(const vtk *v, role r, size_t i, double *out)
   if (v->values[r].bytes == NULL)
     return;
   for (size_t k = 0; k < components; k++)
-    out[k] = packing_i_vtk_double(&v->values[r], i * components + k);
+    out[k] = packing_i_read_vtk_double(&v->values[r], i * components + k);
 }
 
 /* A whole number between the two, where there is such an array. */
@@ -321,7 +323,7 @@ static packing_status take_whole(const vtk *v, const piece *p, role r, size_t i,
 {
   if (v->values[r].bytes == NULL)
     return PACKING_OK;
-  if (packing_i_vtk_int(&v->values[r], i, out) && *out >= least && *out <= most)
+  if (packing_i_read_vtk_int(&v->values[r], i, out) && *out >= least && *out <= most)
     return PACKING_OK;
   reading(v)->byte = (uint64_t)(p->arrays[r].tag - v->xml.first);
   return packing_i_read_fail(reading(v), PACKING_ERR_FORMAT,
@@ -339,9 +341,9 @@ static packing_status take_point(const vtk *v, const piece *p, size_t i)
   row->y = centre[1];
   row->z = centre[2];
   if (v->values[RADIUS].bytes != NULL)
-    row->r = packing_i_vtk_double(&v->values[RADIUS], i);
+    row->r = packing_i_read_vtk_double(&v->values[RADIUS], i);
   else
-    row->r = packing_i_vtk_double(&v->values[DIAMETER], i) / 2;
+    row->r = packing_i_read_vtk_double(&v->values[DIAMETER], i) / 2;
   take_vector(v, VELOCITY, i, row->v);
   take_vector(v, SPIN, i, row->w);
   take_vector(v, ORIENTATION, i, row->q);
@@ -359,11 +361,12 @@ static packing_status take_points(vtk *v, const piece *p)
   packing_status status = PACKING_OK;
   for (role r = POINTS; r < ROLES && status == PACKING_OK; r++)
     if (p->arrays[r].tag != NULL)
-      status = packing_i_vtk_decode(&v->file, &p->arrays[r], p->points, &v->values[r]);
+      status =
+          packing_i_read_vtk_decode(&v->file, &p->arrays[r], p->points, &v->values[r]);
   for (uint64_t i = 0; i < p->points && status == PACKING_OK; i++)
     status = take_point(v, p, (size_t)i);
   for (role r = POINTS; r < ROLES; r++) {
-    packing_i_vtk_release(&v->file, &v->values[r]);
+    packing_i_read_vtk_release(&v->file, &v->values[r]);
     v->values[r].bytes = NULL;
   }
   return status;

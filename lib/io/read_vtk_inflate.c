@@ -16,55 +16,56 @@ typedef struct header {
   uint64_t *packed;             /* bytes of each block in the file */
 } header;
 
-static packing_status bad(packing_i_vtk_source *s, const char *what)
+static packing_status bad(packing_i_read_vtk_source *s, const char *what)
 {
-  return packing_i_vtk_fail(s->file, s->at, PACKING_ERR_FORMAT, what);
+  return packing_i_read_vtk_fail(s->file, s->at, PACKING_ERR_FORMAT, what);
 }
 
-static const packing_allocator *allocator_of(const packing_i_vtk_source *s)
+static const packing_allocator *allocator_of(const packing_i_read_vtk_source *s)
 {
   return packing_i_allocator(s->file->read->context);
 }
 
 /* The header up to the list, whose entries must be there and make `bytes`. */
-static packing_status take_head(packing_i_vtk_source *s, uint64_t bytes, header *h)
+static packing_status take_head(packing_i_read_vtk_source *s, uint64_t bytes, header *h)
 {
-  PACKING_I_TRY(packing_i_vtk_take_size(s, &h->blocks));
-  PACKING_I_TRY(packing_i_vtk_take_size(s, &h->block));
-  PACKING_I_TRY(packing_i_vtk_take_size(s, &h->last));
+  PACKING_I_TRY(packing_i_read_vtk_take_size(s, &h->blocks));
+  PACKING_I_TRY(packing_i_read_vtk_take_size(s, &h->block));
+  PACKING_I_TRY(packing_i_read_vtk_take_size(s, &h->last));
   if (h->last == 0)
     h->last = h->block;
   if (h->blocks == 0 || h->last == 0 || h->last > h->block || h->last > bytes ||
       (bytes - h->last) % h->block != 0 || (bytes - h->last) / h->block != h->blocks - 1)
     return bad(s, "the array has another length than its piece asks for");
-  if (packing_i_vtk_left(s) / (s->file->wide_header ? 8 : 4) < h->blocks)
+  if (packing_i_read_vtk_left(s) / (s->file->wide_header ? 8 : 4) < h->blocks)
     return bad(s, "the array ends too early");
   return PACKING_OK;
 }
 
 /* The list; the blocks must be there and may be what they claim. */
-static packing_status take_list(packing_i_vtk_source *s, header *h)
+static packing_status take_list(packing_i_read_vtk_source *s, header *h)
 {
   uint64_t sum = 0;
   for (uint64_t b = 0; b < h->blocks; b++) {
     const uint64_t bytes = b + 1 < h->blocks ? h->block : h->last;
-    PACKING_I_TRY(packing_i_vtk_take_size(s, &h->packed[b]));
-    if (h->packed[b] > packing_i_vtk_left(s) || h->packed[b] > UINT_MAX ||
+    PACKING_I_TRY(packing_i_read_vtk_take_size(s, &h->packed[b]));
+    if (h->packed[b] > packing_i_read_vtk_left(s) || h->packed[b] > UINT_MAX ||
         bytes > UINT_MAX)
       return bad(s, "the array ends too early");
     if (bytes > h->packed[b] * MOST_SHRINKING)
       return bad(s, "more is claimed than compressed data hold");
     sum += h->packed[b];
   }
-  return sum > packing_i_vtk_left(s) ? bad(s, "the array ends too early") : PACKING_OK;
+  return sum > packing_i_read_vtk_left(s) ? bad(s, "the array ends too early")
+                                          : PACKING_OK;
 }
 
-static packing_status inflate_block(packing_i_vtk_source *s, z_stream *z,
+static packing_status inflate_block(packing_i_read_vtk_source *s, z_stream *z,
                                     unsigned char *packed, uint64_t packed_bytes,
                                     unsigned char *out, uint64_t bytes)
 {
   const unsigned char *start = s->at;
-  PACKING_I_TRY(packing_i_vtk_take(s, packed, (size_t)packed_bytes));
+  PACKING_I_TRY(packing_i_read_vtk_take(s, packed, (size_t)packed_bytes));
   z->next_in = packed;
   z->avail_in = (uInt)packed_bytes;
   z->next_out = out;
@@ -74,12 +75,12 @@ static packing_status inflate_block(packing_i_vtk_source *s, z_stream *z,
   if (result == Z_MEM_ERROR)
     return packing_i_nomem(s->file->read->context);
   if (result != Z_STREAM_END || z->avail_out != 0 || z->avail_in != 0)
-    return packing_i_vtk_fail(s->file, start, PACKING_ERR_FORMAT,
-                              "a damaged block of compressed data");
+    return packing_i_read_vtk_fail(s->file, start, PACKING_ERR_FORMAT,
+                                   "a damaged block of compressed data");
   return PACKING_OK;
 }
 
-static packing_status inflate_blocks(packing_i_vtk_source *s, const header *h,
+static packing_status inflate_blocks(packing_i_read_vtk_source *s, const header *h,
                                      z_stream *z, unsigned char *packed,
                                      unsigned char *out)
 {
@@ -89,7 +90,7 @@ static packing_status inflate_blocks(packing_i_vtk_source *s, const header *h,
   return PACKING_OK;
 }
 
-static packing_status inflate_all(packing_i_vtk_source *s, const header *h,
+static packing_status inflate_all(packing_i_read_vtk_source *s, const header *h,
                                   unsigned char *out)
 {
   z_stream z;
@@ -111,8 +112,9 @@ static packing_status inflate_all(packing_i_vtk_source *s, const header *h,
   return status;
 }
 
-packing_status packing_i_vtk_inflate(packing_i_vtk_source *source, uint64_t bytes,
-                                     packing_i_vtk_values *values)
+packing_status packing_i_read_vtk_inflate(packing_i_read_vtk_source *source,
+                                          uint64_t bytes,
+                                          packing_i_read_vtk_values *values)
 {
   header h = {0};
   PACKING_I_TRY(take_head(source, bytes, &h));
@@ -132,12 +134,13 @@ packing_status packing_i_vtk_inflate(packing_i_vtk_source *source, uint64_t byte
 
 #else
 
-packing_status packing_i_vtk_inflate(packing_i_vtk_source *source, uint64_t bytes,
-                                     packing_i_vtk_values *values)
+packing_status packing_i_read_vtk_inflate(packing_i_read_vtk_source *source,
+                                          uint64_t bytes,
+                                          packing_i_read_vtk_values *values)
 {
   (void)bytes;
   (void)values;
-  return packing_i_vtk_fail(source->file, source->at, PACKING_ERR_UNSUPPORTED,
-                            "compressed, and the library was built without zlib");
+  return packing_i_read_vtk_fail(source->file, source->at, PACKING_ERR_UNSUPPORTED,
+                                 "compressed, and the library was built without zlib");
 }
 #endif

@@ -96,7 +96,7 @@ static void lammps_frames(void **state)
   }
   reading r = read_sample(c, "dump", "lammps.dump", 1, 1);
   reading_is(&r, 0, 0.0100005, 0.019999, 0.0300015, 0.01);
-  assert_box(&r, -0.05, -0.05, 0.0299915, 0.05, 0.05, 0.0900115);
+  assert_box(&r, -0.05, -0.05, 0.02999, 0.05, 0.05, 0.090009999999999993);
   assert_motion(&r, 1, 0.1, -0.2, 0.3, 1, 2, 3);
   assert_int_equal(reading_id(&r, 2), 3);
   reading_end(&r);
