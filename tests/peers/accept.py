@@ -87,7 +87,7 @@ def settle(command, name, folder, maker, scene, rows):
     assert len(frames(dump)) == 2
     same(scene, rows, [first[i] for i in ids])
     worst = same(scene, rows, [last[i] for i in ids])
-    variables[3] = variables[5] = "5000"
+    variables[4] = variables[7] = "8000"
     run([command, "-in", name, *variables], folder)
     last = frames(dump)[-1]
     text = "".join("%.17g %.17g %.17g %.17g\n" % last[i] for i in ids)
