@@ -108,7 +108,7 @@ static inline void packing_read_info_init(packing_read_info *info)
  *  | xyzd | packing-generation, rows of four doubles | |
  *
  *  Text formats are read through gzip too, where the library was built with zlib. Text is
- *  read in constant memory beside the store (8 bytes a particle for what goes by id); VTK
+ *  read in constant memory beside the store (32 bytes a particle for what goes by id); VTK
  *  takes the file's size beside it.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
@@ -132,7 +132,7 @@ PACKING_API PACKING_WARN_UNUSED packing_status packing_read_pack(
  *  \return a constant string; NULL behind the last. Thread-safe. */
 PACKING_API const char *packing_read_format(size_t index);
 
-/** Whose format it is and what of a pack is read from it, for help texts.
+/** Whose format it is, for help texts.
  *  \param format a name
  *  \return a constant string without a newline, NULL for an unknown name. Thread-safe. */
 PACKING_API const char *packing_read_format_about(const char *format);

@@ -82,6 +82,10 @@ packing_status packing_i_stream_failed(packing_context *context,
                                        const packing_stream *stream,
                                        const packing_i_format *format,
                                        packing_status status);
+/* What a stream that claims too much came to. */
+packing_status packing_i_stream_overran(packing_context *context);
+/* Whether a stream is one that inflates, and so has noted its failures (gunzip.c). */
+int packing_i_is_gunzip(const packing_stream *stream);
 /* Whether a stream belongs to a file whose failures are noted in `context` (file.c). */
 int packing_i_stream_reports_to(const packing_stream *stream,
                                 const packing_context *context);
@@ -129,6 +133,7 @@ typedef struct packing_i_lines {
   size_t begin, seen, end; /* unread text; what of it holds no end of line; its end */
   int ended;
   int skip_blank; /* blank lines are passed over like comments */
+  int keep_comments;
 } packing_i_lines;
 
 packing_status packing_i_lines_begin(packing_i_lines *lines, packing_context *context,
@@ -153,6 +158,11 @@ packing_status packing_i_check_scaled(const packing_i_lines *lines, const char *
 /* A piece of a file for a message: printable, in quotes, cut after 40 bytes. */
 enum { PACKING_I_QUOTE_SIZE = 48 };
 const char *packing_i_quote(const char *at, const char *end, char *out);
+
+/* What is wrong with a number from `at` to `end`, which came to `found`. */
+packing_status packing_i_number_fail(const packing_i_lines *lines, const char *name,
+                                     const char *at, const char *end,
+                                     packing_i_number found, const char *wanted);
 
 /* The reader of tables (table_reader.c): comma-separated columns of numbers, blanks around
  * them ignored. */

@@ -103,19 +103,10 @@ static unsigned count_cells(const char *at, const char *end)
 static packing_status cell_fail(packing_i_table *t, unsigned column, const char *at,
                                 const char *end, packing_i_number found)
 {
-  char quote[PACKING_I_QUOTE_SIZE];
   const packing_i_cell_spec *spec = &t->specs[t->spec_of[column]];
   const char *comma = memchr(at, ',', (size_t)(end - at));
-  packing_i_quote(at, comma == NULL ? end : comma, quote);
-  if (found == PACKING_I_NUMBER_LARGE)
-    return packing_i_lines_fail(&t->lines, PACKING_ERR_FORMAT, "%s: %s is out of range",
-                                spec->name, quote);
-  if (found == PACKING_I_NUMBER_LONG)
-    return packing_i_lines_fail(&t->lines, PACKING_ERR_FORMAT,
-                                "%s: a number longer than %d bytes", spec->name,
-                                PACKING_I_NUMBER_LENGTH);
-  return packing_i_lines_fail(
-      &t->lines, PACKING_ERR_FORMAT, "%s: %s is not %s", spec->name, quote,
+  return packing_i_number_fail(
+      &t->lines, spec->name, at, comma == NULL ? end : comma, found,
       spec->kind == PACKING_I_CELL_REAL ? "a finite number" : "a whole number");
 }
 

@@ -10,7 +10,7 @@ packing_status packing_i_stream_failed(packing_context *context,
                                        const packing_i_format *format,
                                        packing_status status)
 {
-  if (packing_i_stream_reports_to(stream, context))
+  if (packing_i_is_gunzip(stream) || packing_i_stream_reports_to(stream, context))
     return status;
   return packing_i_fail(context, status, "stream", PACKING_NO_INDEX,
                         "%s, with the stream of a %s file", packing_status_string(status),

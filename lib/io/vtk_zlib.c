@@ -7,7 +7,7 @@
 
 #if PACKING_I_HAVE_ZLIB
 
-#include <zlib.h>
+#include "zlib_memory.h"
 
 enum { MOST_SLOTS = 16, MOST_TUPLE = 32, BLOCK_BYTES = PACKING_I_VTK_BLOCK * MOST_TUPLE };
 
@@ -33,25 +33,9 @@ typedef struct zlib_deflater {
   size_t measured, written;
 } zlib_deflater;
 
-static void *zlib_alloc(void *user, unsigned items, unsigned size)
-{
-  return packing_i_calloc(user, items, size);
-}
-
-static void zlib_free(void *user, void *block)
-{
-  packing_i_free(user, block);
-}
-
 static packing_status slot_begin(zlib_deflater *d, slot *s, int level)
 {
-  union { /* zlib's user pointer is not const */
-    const packing_allocator *in;
-    void *out;
-  } allocator = {d->allocator};
-  s->z.zalloc = zlib_alloc;
-  s->z.zfree = zlib_free;
-  s->z.opaque = allocator.out;
+  packing_i_zlib_use(&s->z, d->allocator);
   s->raw = packing_i_alloc(d->allocator, BLOCK_BYTES, 1);
   s->packed = packing_i_alloc(d->allocator, d->capacity, 1);
   s->ready = deflateInit(&s->z, level) == Z_OK;
