@@ -18,14 +18,14 @@ static const struct argp_option table[] = {
      "xyzd; without FORMAT by extension: .csv .vtp .vtu .data .dump .geo .xyz .xyzd, "
      "each "
      "also with .gz",
-     0},
+     1},
     {"frame", KEY_FRAME, "N", 0,
-     "which frame of a dump or xyz file, from 0 (default: last)", 0},
-    {"sort", KEY_SORT, NULL, 0, "order the particles by their ids", 0},
-    {"radius-array", KEY_RADIUS, "NAME", 0, "the array of radii in a VTK file", 0},
-    {"diameter-array", KEY_DIAMETER, "NAME", 0, "or that of diameters", 0},
+     "which frame of a dump or xyz file, from 0 (default: last)", 1},
+    {"sort", KEY_SORT, NULL, 0, "order the particles by their ids", 1},
+    {"radius-array", KEY_RADIUS, "NAME", 0, "the array of radii in a VTK file", 1},
+    {"diameter-array", KEY_DIAMETER, "NAME", 0, "or that of diameters", 1},
     {"dim", KEY_DIM, "N", 0,
-     "2 or 3 (default: as the container or the file says, 2 where every z is 0)", 0},
+     "2 or 3 (default: as the container or the file says, 2 where every z is 0)", 1},
     {NULL, 0, NULL, 0, NULL, 0},
 };
 

@@ -44,7 +44,7 @@ static const struct argp_option pack_table[] = {
      "the audit fails above this overlap or protrusion, relative to the smaller radius "
      "(default 1e-9, after settling 0.01)",
      7},
-    {"quiet", KEY_QUIET, NULL, 0, "no progress bar and no remarks", 7},
+    {"quiet", KEY_QUIET, NULL, 0, "no progress bar, no remarks, no summary", 7},
     {NULL, 0, NULL, 0, NULL, 0},
 };
 

@@ -165,17 +165,19 @@ static int crop(convert_job *job, const change *c)
 
 /* ---- all of them ---- */
 
+typedef int (*changer)(convert_job *job, const change *c);
+
 int convert_change(convert_job *job)
 {
-  static int (*const changes[])(convert_job *, const change *) = {[CHANGE_CROP] = crop,
-                                                                  [CHANGE_SCALE] = scale,
-                                                                  [CHANGE_SHIFT] = shift,
-                                                                  [CHANGE_REPLICATE] =
-                                                                      convert_replicate};
+  static const changer changers[] = {
+      [CHANGE_CROP] = crop,         [CHANGE_SCALE] = scale,
+      [CHANGE_SHIFT] = shift,       [CHANGE_REPLICATE] = convert_replicate,
+      [CHANGE_BOND] = convert_bond,
+  };
+  const convert_options *o = job->asked;
   int code = 0;
-  for (size_t i = 0; i < job->asked->change_count && !code; i++)
-    code = interrupted()
-               ? program_interrupted()
-               : changes[job->asked->changes[i].kind](job, &job->asked->changes[i]);
+  for (size_t i = 0; i < o->change_count && !code; i++)
+    code = interrupted() ? program_interrupted()
+                         : changers[o->changes[i].kind](job, &o->changes[i]);
   return code;
 }

@@ -14,13 +14,14 @@ typedef enum change_kind {
   CHANGE_CROP,
   CHANGE_SCALE,
   CHANGE_SHIFT,
-  CHANGE_REPLICATE
+  CHANGE_REPLICATE,
+  CHANGE_BOND
 } change_kind;
 
 typedef struct change {
   change_kind kind;
   const char *text;  /* as typed */
-  double factor;     /* scale */
+  double factor;     /* scale; bond: the gap */
   packing_vec3 by;   /* shift */
   size_t numbers;    /* shift: how many were given */
   uint64_t times[3]; /* replicate */
@@ -60,12 +61,13 @@ int convert_options_check(const convert_options *o);
 int convert_change(convert_job *job);
 
 /* Their parts: the failure of a change; `count` numbers, or the end of the program; the container
- * is what `text` (taken) says from here on, `option` being at fault if it is none; the change that
- * has a file of its own. */
+ * is what `text` (taken) says from here on, `option` being at fault if it is none; the change those
+ * that have files of their own. */
 int convert_failed(const convert_job *job, const change *c, packing_status status);
 double *convert_take_numbers(size_t count);
 int convert_set_domain(convert_job *job, const char *option, char *text);
 int convert_replicate(convert_job *job, const change *c);
+int convert_bond(convert_job *job, const change *c);
 
 /* Makes the report and the files. */
 int convert_write(convert_job *job, const char *command);

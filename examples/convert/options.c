@@ -5,12 +5,12 @@
 #include "convert.h"
 
 const char convert_program[] = "packing-convert";
-const char *const change_names[] = {"crop", "scale", "shift", "replicate"};
+const char *const change_names[] = {"crop", "scale", "shift", "replicate", "bond"};
 
 /* So many copies along an axis at most, and so many particles in all. */
 static const uint64_t MOST_TIMES = 1000000;
 
-enum { KEY_CROP = 0x400, KEY_CROP_BY, KEY_SCALE, KEY_SHIFT, KEY_REPLICATE };
+enum { KEY_CROP = 0x400, KEY_CROP_BY, KEY_SCALE, KEY_SHIFT, KEY_REPLICATE, KEY_BOND };
 
 static const struct argp_option table[] = {
     {NULL, 0, NULL, 0, "On the way, in the order given, each as often as wanted:", 3},
@@ -22,6 +22,10 @@ static const struct argp_option table[] = {
      3},
     {"scale", KEY_SCALE, "S", 0, "multiply all lengths, and velocities, by S", 3},
     {"shift", KEY_SHIFT, "X,Y,Z", 0, "move everything (two dimensions: X,Y)", 3},
+    {"bond", KEY_BOND, "GAP", 0,
+     "bond the pairs whose surfaces are at most GAP apart, a length, and no others (for "
+     "the formats that hold bonds: lammps, geo)",
+     3},
     {"replicate", KEY_REPLICATE, "NX,NY,NZ", 0,
      "repeat the box so many times along x, y, z (two dimensions: NX,NY): first the pack "
      "itself, then its copies, x fastest; ids, where there are any, become 1, 2, 3 ...; "
@@ -71,6 +75,14 @@ static int read_replicate(const char *text, change *c)
   return code;
 }
 
+static int read_gap(const char *text, change *c)
+{
+  const int code = number_real("--bond", text, &c->factor);
+  if (!code && c->factor < 0)
+    return program_fail(PROGRAM_BAD_INPUT, "--bond: %s is below 0", text);
+  return code;
+}
+
 static int read_crop_by(const char *text, convert_options *o)
 {
   o->by_centres = strcmp(text, "centres") == 0;
@@ -93,6 +105,8 @@ static int read_change(change_kind kind, const char *text, convert_options *o)
     return number_positive("--scale", text, &c->factor);
   case CHANGE_SHIFT:
     return read_shift(text, c);
+  case CHANGE_BOND:
+    return read_gap(text, c);
   default:
     return read_replicate(text, c);
   }
@@ -109,6 +123,8 @@ static int read_own(int key, const char *text, convert_options *o)
     return read_change(CHANGE_SCALE, text, o);
   case KEY_SHIFT:
     return read_change(CHANGE_SHIFT, text, o);
+  case KEY_BOND:
+    return read_change(CHANGE_BOND, text, o);
   case KEY_REPLICATE:
     return read_change(CHANGE_REPLICATE, text, o);
   default:

@@ -57,9 +57,9 @@ static const struct argp_option table[] = {
      "(radius-x, radius-y, radius: of axis z, of two dimensions of its centre) or from "
      "its centre (sphere); 50 bins; may be repeated",
      4},
-    {"section", KEY_SECTION, "AXIS=H or AXIS,N", 0,
-     "porosity of a plane across x, y or z at H, or of N planes in the middles of equal "
-     "parts: the binary occupation ratio, black being void; may be repeated",
+    {"section", KEY_SECTION, "PLANES", 0,
+     "z=H: porosity of the plane z = H; z,N: of N planes in the middles of equal parts; "
+     "x and y likewise: the binary occupation ratio, black being void; may be repeated",
      4},
     {"map", KEY_MAP, "NX,NY,NZ[:FILE]", 0,
      "porosity in each cell of a grid; its cells as a table in FILE (CSV)", 4},
