@@ -3,13 +3,13 @@
  * centres, bad numbers. Shares nothing with the placers but the grid, whose answers the tests
  * hold against all pairs. A maximum is decided by (value, lowest indices), so neither threads
  * nor the order of visits matter. Linear in the particles. */
-#include "domain/domain_internal.h"
 #include "grid/grid_internal.h"
 #include "measure/measure_internal.h"
 #include "vec.h"
 #include "view.h"
 
 typedef struct overlaps {
+  const packing_grid *grid;
   double limit;
   double most;
   size_t i;
@@ -53,26 +53,33 @@ static void keep_overlap(overlaps *o, double overlap, size_t i, size_t j)
   o->j = j;
 }
 
-static void judge_pair(void *arg, size_t i, size_t j, double d, double r_i, double r_j)
+static void judge(overlaps *o, size_t i, size_t j, double d, double r_i, double r_j)
 {
-  overlaps *o = arg;
   const double overlap = (r_i + r_j - d) / (r_i < r_j ? r_i : r_j);
   o->duplicates += (size_t)(d == 0);
   o->count += (size_t)(overlap > o->limit);
   keep_overlap(o, overlap, i, j);
 }
 
-static overlaps no_overlap(double limit)
+static void judge_pair(void *arg, const packing_i_grid_pair *p)
 {
-  const overlaps none = {limit, 0, PACKING_NO_INDEX, PACKING_NO_INDEX, 0, 0};
+  overlaps *o = arg;
+  const packing_grid *g = o->grid;
+  const packing_pair ends = packing_i_grid_ends(g, p);
+  judge(o, ends.i, ends.j, p->distance, g->r[p->own], g->r[p->other]);
+}
+
+static overlaps no_overlap(const audit *a)
+{
+  const overlaps none = {a->grid, a->limit, 0, PACKING_NO_INDEX, PACKING_NO_INDEX, 0, 0};
   return none;
 }
 
 static void judge_block(void *arg, size_t block)
 {
-  static const packing_i_grid_reach touching = {1.0, 0.0};
+  static const packing_i_grid_reach touching = {1.0, 0.0, 0};
   const audit *a = arg;
-  a->overlaps[block] = no_overlap(a->limit);
+  a->overlaps[block] = no_overlap(a);
   packing_i_grid_visit(a->grid, &touching, block, judge_pair, &a->overlaps[block]);
 }
 
@@ -85,14 +92,6 @@ static double protrusion_of(const packing_domain *domain, packing_vec3 p, double
   return isnan(protrusion) ? (double)INFINITY : protrusion;
 }
 
-/* The same for a box, whose walls are known: most particles touch none. */
-static int is_clear(const packing_i_planar *walls, packing_vec3 p, double r)
-{
-  return walls != NULL && p.x - walls->wall_lo[0] >= r && walls->wall_hi[0] - p.x >= r &&
-         p.y - walls->wall_lo[1] >= r && walls->wall_hi[1] - p.y >= r &&
-         p.z - walls->wall_lo[2] >= r && walls->wall_hi[2] - p.z >= r;
-}
-
 static void protrude_block(void *arg, size_t block)
 {
   const audit *a = arg;
@@ -103,7 +102,7 @@ static void protrude_block(void *arg, size_t block)
     const size_t i = a->selection == NULL ? k : a->selection[k];
     const packing_vec3 p = packing_i_view_centre(a->view, i);
     const double r = packing_i_view_r(a->view, i);
-    if (is_clear(walls, p, r))
+    if (packing_i_measure_is_clear(walls, p, r))
       continue;
     const double protrusion = protrusion_of(a->domain, p, r);
     found.count += (size_t)(protrusion > a->limit);
@@ -126,7 +125,7 @@ static void judge_images(const audit *a, overlaps *all)
     const size_t i = a->selection == NULL ? k : a->selection[k];
     const double r = packing_i_view_r(a->view, i);
     if (2 * r > least)
-      judge_pair(all, i, i, least, r, r);
+      judge(all, i, i, least, r, r);
   }
 }
 
@@ -135,11 +134,11 @@ static packing_status audit_overlaps(packing_context *context, audit *a,
 {
   packing_grid *grid = NULL;
   PACKING_I_TRY(packing_i_grid_build(context, PACKING_I_GRID_LEVELS, a->domain, a->view,
-                                     a->selection, a->count, &grid));
+                                     a->selection, a->count, NULL, &grid));
   const size_t blocks = packing_i_grid_blocks(grid);
   const packing_allocator *allocator = packing_i_allocator(context);
-  overlaps all = no_overlap(a->limit);
   a->grid = grid;
+  overlaps all = no_overlap(a);
   a->overlaps = packing_i_alloc(allocator, blocks, sizeof *a->overlaps);
   if (a->overlaps == NULL) {
     packing_grid_destroy(grid);
