@@ -12,6 +12,7 @@ static int is_primitive(const packing_i_surface *s, int dim)
          (s->kind == PACKING_I_SURFACE_CYLINDER && (dim == 2 || !s->outside));
 }
 
+/* The centre of a cylinder is y z, z x or x y. */
 static void put_primitive(packing_i_writer *w, const packing_i_surface *s, int wall)
 {
   static const char axes[] = "xyz";
@@ -25,8 +26,9 @@ static void put_primitive(packing_i_writer *w, const packing_i_surface *s, int w
     packing_i_put_text(w, "plane");
     packing_i_put_doubles(w, ' ', &s->position, 1);
   } else {
-    const double numbers[] = {s->radius[0], s->axis == 0 ? s->centre.y : s->centre.x,
-                              s->axis == 2 ? s->centre.y : s->centre.z};
+    const double numbers[] = {s->radius[0],
+                              packing_i_component(s->centre, (s->axis + 1) % 3),
+                              packing_i_component(s->centre, (s->axis + 2) % 3)};
     packing_i_put_text(w, "cylinder");
     packing_i_put_doubles(w, ' ', numbers, 3);
   }
