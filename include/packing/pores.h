@@ -142,14 +142,15 @@ static inline void packing_pores_report_init(packing_pores_report *report)
  *
  *  Spheres centred outside the container are left out, those that cross its wall shrink to the
  *  distance from it. Along periodic directions each pore and each constriction is listed once.
- *  Fewer than dim + 1 particles, or all in one plane (line), have no pores.
+ *  Fewer than dim + 1 particles, or all in one plane (line), have no pores. All voids of equal
+ *  spheres are found, and most where sizes differ: doc/methods/pores.md has figures.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain the container, whose walls and periodic directions count; NULL: none
  *  \param view the pack: finite, radii > 0
  *  \param[out] pores the network
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (also beyond 4e9 cells);
- *          PACKING_ERR_NOMEM; PACKING_ERR_ABI. Nearly linear; some 6 s and 3 kB a particle at 1e5
+ *          PACKING_ERR_NOMEM; PACKING_ERR_ABI. Nearly linear; some 5 s and 5 kB a particle at 1e5
  *          spheres on one thread */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_pores_create(
     packing_context *context, const packing_pores_def *def, packing_domain *domain,
