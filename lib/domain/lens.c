@@ -7,8 +7,8 @@
 #include "domain_kinds.h"
 #include <math.h>
 
-/* x - sin(x), without cancellation: below 1.5 by its series, x^3/3! - x^5/5! + ... x^25/25!. */
-static double minus_sin(double x)
+/* Below 1.5 by its series, x^3/3! - x^5/5! + ... x^25/25!. */
+double packing_i_minus_sin(double x)
 {
   if (x > 1.5)
     return x - sin(x);
@@ -26,7 +26,7 @@ double packing_i_cap(int dim, double r, double h)
     return packing_i_ball_volume(dim, r);
   if (dim == 3)
     return PACKING_I_PI / 3 * h * h * (3 * r - h);
-  return 0.5 * r * r * minus_sin(4 * atan(sqrt(h / (2 * r - h))));
+  return 0.5 * r * r * packing_i_minus_sin(4 * atan(sqrt(h / (2 * r - h))));
 }
 
 double packing_i_lens(int dim, double p, double q, double d)

@@ -108,6 +108,16 @@ size_t packing_i_grid_blocks(const packing_grid *grid);
 void packing_i_grid_visit(const packing_grid *grid, const packing_i_grid_reach *reach,
                           size_t block, packing_i_pair_function fn, void *arg);
 
+/* A particle near a point: its index in the view, the vector from the point to (the nearest image
+ * of) its centre, and the length of that. */
+typedef void (*packing_i_near_function)(void *arg, size_t index, packing_vec3 d,
+                                        double distance);
+
+/* Calls fn for every particle with distance <= r + reach, in an order that depends on particles
+ * and point only. Thread-safe, allocates nothing. */
+void packing_i_grid_near_visit(const packing_grid *grid, const packing_vec3 *point,
+                               double reach, packing_i_near_function fn, void *arg);
+
 /* Cell of a coordinate (inside the periodic cell) at an octave. */
 uint64_t packing_i_grid_cell(const packing_grid *grid, const packing_i_grid_axis *axis,
                              double v, int octave);

@@ -62,4 +62,10 @@ int packing_i_measure_is_good(const packing_view *view, size_t i, int flat);
 packing_status packing_i_measure_check(packing_context *context, const packing_view *view,
                                        int flat);
 
+/* The part of a container at least `margin` from its walls. Where nothing is left, which is no
+ * failure, *inner stays as it is. `field` is named when it cannot be made. */
+packing_status packing_i_measure_inner(packing_context *context, const char *field,
+                                       packing_domain *domain, double margin,
+                                       packing_domain **inner);
+
 #endif

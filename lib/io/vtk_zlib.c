@@ -3,13 +3,13 @@
  * partial last block or 0, compressed bytes of each), then the blocks, each a zlib stream.
  * Blocks are cut by the number of tuples alone and compressed side by side, so the bytes do
  * not depend on the threads. zlib's memory comes from the context, before the threads start. */
-#include "vtp_internal.h"
+#include "vtk_internal.h"
 
 #if PACKING_I_HAVE_ZLIB
 
-#include <zlib.h>
+#include "zlib_memory.h"
 
-enum { MOST_SLOTS = 16, MOST_TUPLE = 32, BLOCK_BYTES = PACKING_I_VTP_BLOCK * MOST_TUPLE };
+enum { MOST_SLOTS = 16, MOST_TUPLE = 32, BLOCK_BYTES = PACKING_I_VTK_BLOCK * MOST_TUPLE };
 
 /* One block in flight. */
 typedef struct slot {
@@ -27,31 +27,15 @@ typedef struct zlib_deflater {
   unsigned slot_count;
   size_t capacity; /* of `packed` */
   slot slots[MOST_SLOTS];
-  const packing_i_vtp_array *array; /* being compressed, from block `first` on */
+  const packing_i_vtk_array *array; /* being compressed, from block `first` on */
   size_t first;
   uint64_t *sizes; /* of all blocks of all arrays, packed, as measured */
   size_t measured, written;
 } zlib_deflater;
 
-static void *zlib_alloc(void *user, unsigned items, unsigned size)
-{
-  return packing_i_calloc(user, items, size);
-}
-
-static void zlib_free(void *user, void *block)
-{
-  packing_i_free(user, block);
-}
-
 static packing_status slot_begin(zlib_deflater *d, slot *s, int level)
 {
-  union { /* zlib's user pointer is not const */
-    const packing_allocator *in;
-    void *out;
-  } allocator = {d->allocator};
-  s->z.zalloc = zlib_alloc;
-  s->z.zfree = zlib_free;
-  s->z.opaque = allocator.out;
+  packing_i_zlib_use(&s->z, d->allocator);
   s->raw = packing_i_alloc(d->allocator, BLOCK_BYTES, 1);
   s->packed = packing_i_alloc(d->allocator, d->capacity, 1);
   s->ready = deflateInit(&s->z, level) == Z_OK;
@@ -64,26 +48,26 @@ static void compress_block(void *user, size_t i)
 {
   zlib_deflater *d = user;
   slot *s = &d->slots[i];
-  const size_t begin = (d->first + i) * PACKING_I_VTP_BLOCK;
+  const size_t begin = (d->first + i) * PACKING_I_VTK_BLOCK;
   const size_t left = d->array->tuples - begin;
-  const size_t tuples = left < PACKING_I_VTP_BLOCK ? left : PACKING_I_VTP_BLOCK;
-  packing_i_vtp_gather(d->array, begin, tuples, s->raw);
+  const size_t tuples = left < PACKING_I_VTK_BLOCK ? left : PACKING_I_VTK_BLOCK;
+  packing_i_vtk_gather(d->array, begin, tuples, s->raw);
   s->failed = deflateReset(&s->z) != Z_OK;
   s->z.next_in = s->raw;
-  s->z.avail_in = (unsigned)(tuples * packing_i_vtp_tuple_size(d->array));
+  s->z.avail_in = (unsigned)(tuples * packing_i_vtk_tuple_size(d->array));
   s->z.next_out = s->packed;
   s->z.avail_out = (unsigned)d->capacity;
   s->failed |= deflate(&s->z, Z_FINISH) != Z_STREAM_END;
   s->packed_size = d->capacity - s->z.avail_out;
 }
 
-static size_t block_count(const packing_i_vtp_array *a)
+static size_t block_count(const packing_i_vtk_array *a)
 {
-  return a->tuples / PACKING_I_VTP_BLOCK + (a->tuples % PACKING_I_VTP_BLOCK != 0);
+  return a->tuples / PACKING_I_VTK_BLOCK + (a->tuples % PACKING_I_VTK_BLOCK != 0);
 }
 
 /* Compresses the blocks from `first` on; *count is how many were done. */
-static packing_status compress_batch(zlib_deflater *d, const packing_i_vtp_array *a,
+static packing_status compress_batch(zlib_deflater *d, const packing_i_vtk_array *a,
                                      size_t first, size_t *count)
 {
   const size_t left = block_count(a) - first;
@@ -98,7 +82,7 @@ static packing_status compress_batch(zlib_deflater *d, const packing_i_vtp_array
   return PACKING_OK;
 }
 
-static packing_status measure(packing_i_deflater *base, const packing_i_vtp_array *a,
+static packing_status measure(packing_i_deflater *base, const packing_i_vtk_array *a,
                               uint64_t *bytes)
 {
   zlib_deflater *d = (zlib_deflater *)base;
@@ -123,13 +107,13 @@ static packing_status put_block(zlib_deflater *d, const slot *s, packing_i_write
   return PACKING_OK;
 }
 
-static packing_status write_array(packing_i_deflater *base, const packing_i_vtp_array *a,
+static packing_status write_array(packing_i_deflater *base, const packing_i_vtk_array *a,
                                   packing_i_writer *w)
 {
   zlib_deflater *d = (zlib_deflater *)base;
-  const size_t blocks = block_count(a), size = packing_i_vtp_tuple_size(a);
-  const uint64_t head[] = {blocks, PACKING_I_VTP_BLOCK * size,
-                           a->tuples % PACKING_I_VTP_BLOCK * size};
+  const size_t blocks = block_count(a), size = packing_i_vtk_tuple_size(a);
+  const uint64_t head[] = {blocks, PACKING_I_VTK_BLOCK * size,
+                           a->tuples % PACKING_I_VTK_BLOCK * size};
   size_t done;
   packing_i_put_bytes(w, head, sizeof head);
   for (size_t b = 0; b < blocks; b++)
@@ -170,7 +154,7 @@ packing_status packing_i_deflater_create(packing_context *context, int level,
   d->allocator = allocator;
   d->capacity = compressBound(BLOCK_BYTES);
   d->slot_count = packing_context_threads(context) > 1 ? MOST_SLOTS : 1;
-  d->sizes = packing_i_alloc(allocator, arrays * (tuples / PACKING_I_VTP_BLOCK + 1),
+  d->sizes = packing_i_alloc(allocator, arrays * (tuples / PACKING_I_VTK_BLOCK + 1),
                              sizeof *d->sizes);
   if (d->sizes == NULL)
     status = packing_i_nomem(context);
