@@ -285,7 +285,8 @@ static inline void packing_normals_def_init(packing_normals_def *def)
 
 /** A bin of directions n: z_lo <= n.z < z_hi (the last band: <= 1), azimuth_lo <= azimuth <
  *  azimuth_hi, where azimuth is the angle of (n.x, n.y) from x towards y, from 0 to 2 pi. Bins
- *  are equal in area: each has 4 pi (in the plane 2 pi) / number of bins. */
+ *  are equal in area: each has 4 pi (in the plane 2 pi) / number of bins. On a border rounding
+ *  decides. */
 typedef struct packing_normals_bin {
   double z_lo;       /**< from -1 [1]; in the plane 0 */
   double z_hi;       /**< to 1 [1]; in the plane 0 */
@@ -294,9 +295,9 @@ typedef struct packing_normals_bin {
 } packing_normals_bin;
 
 /** Tells the bins of a histogram of normals: bands from z = -1 to z = 1, the two at the poles
- *  whole, in each of the others as many sectors as make bins about as wide as high. Every bin has
- *  its opposite: bin k and bin count - 1 - k hold the same directions but for the sign, though in
- *  the plane that is bin (k + count / 2) modulo count.
+ *  whole, in each of the others as many sectors as make bins about as wide as high; in the plane
+ *  one band. Opposite to sector s of the m in a band is sector (s + m / 2) modulo m of the band as
+ *  far from the other pole.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param dim 3 or 2

@@ -91,12 +91,13 @@ typedef struct packing_i_grid_reach {
        of image[] that is not 0 is above 0); 0: the nearest image, no particle with itself */
 } packing_i_grid_reach;
 
-/* As packing_grid_create(), of the `count` particles view[selection[k]]; selection NULL: all
- * of the view. */
+/* As packing_grid_create(), of the `count` particles view[selection[k]]; selection NULL: all of the
+ * view. Its cells suit visits of that reach; NULL: of touching particles. */
 packing_status packing_i_grid_build(packing_context *context, int levels,
                                     const packing_domain *domain,
                                     const packing_view *view, const size_t *selection,
-                                    size_t count, packing_grid **grid);
+                                    size_t count, const packing_i_grid_reach *reach,
+                                    packing_grid **grid);
 
 /* Every pair is met in exactly one block, whose borders depend on the particles only. */
 size_t packing_i_grid_blocks(const packing_grid *grid);

@@ -61,7 +61,7 @@ packing_status packing_i_images_create(packing_context *context,
   made->reach.gap = gap;
   made->reach.all_images = 1;
   packing_status status = packing_i_grid_build(context, PACKING_I_GRID_LEVELS, domain, &v,
-                                               NULL, v.count, &made->grid);
+                                               NULL, v.count, &made->reach, &made->grid);
   if (status == PACKING_OK)
     status = check_reach(context, made);
   if (status == PACKING_OK) {
