@@ -71,7 +71,7 @@ packing_status packing_i_measure_places(packing_context *context,
   points.r.data = &r;
   points.r.stride = 0;
   PACKING_I_TRY(
-      packing_i_grid_build(context, 1, domain, &points, NULL, view->count, &grid));
+      packing_i_grid_build(context, 1, domain, &points, NULL, view->count, NULL, &grid));
   memcpy(index, grid->index, view->count * sizeof *index);
   packing_grid_destroy(grid);
   return PACKING_OK;

@@ -205,7 +205,8 @@ packing_status packing_i_neighbours_nearest(packing_context *context,
   packing_view points = *view;
   points.r.data = &s.point_r;
   points.r.stride = 0;
-  PACKING_I_TRY(packing_i_grid_build(context, 1, NULL, &points, NULL, n->count, &grid));
+  PACKING_I_TRY(
+      packing_i_grid_build(context, 1, NULL, &points, NULL, n->count, NULL, &grid));
   s.grid = grid;
   packing_i_parallel(context, packing_i_measure_blocks(n->count), search_block, &s);
   packing_grid_destroy(grid);
