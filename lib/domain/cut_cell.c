@@ -1,17 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a ball, a container and a cell have in common.
  *
- * Boxes in boxes and two balls have closed forms (cut_planes.c, lens.c), and so has all of the
- * plane (discs.c). Else the volume is the integral over heights of the area of a slice: across
- * the axis of a body of revolution or, where there is none, of a cylindrical cell, all slices
- * are discs, strips and rectangles. Between the heights where their shape changes
- * (cut_heights.c) the area is smooth inside and has half-integer powers at the ends
- * (integrate.c). A tube or a ring is its outside less its hole. A custom container takes the
- * cell's wall for one more wall of its own (subdivide.c). */
+ * Boxes in boxes, two balls, a ball and a cylinder have closed forms (cut_planes.c, lens.c,
+ * ball_cylinder.c), and so has all of the plane (discs.c). Else the volume is the integral over
+ * heights of the area of a slice: across the axis of a body of revolution or, where there is
+ * none, of a cylindrical cell, all slices are discs, strips and rectangles. Between the heights
+ * where their shape changes (cut_heights.c) the area is smooth inside and has half-integer
+ * powers at the ends (integrate.c). A tube or a ring is its outside less its hole. A custom
+ * container takes the cell's wall for one more wall of its own (subdivide.c). Some tenths of a
+ * millisecond for a ball that curved walls of both cut, else some tenths of a microsecond. */
 #include "cut_internal.h"
 #include <float.h>
 
-enum { CALLS_FOR_PART = 1 << 21 };
+enum {
+  CALLS_FOR_PART = 1 << 21,
+  MOST_RADII = 1000 /* of a ball, in a cylinder with a closed form */
+};
 
 /* The question. */
 typedef struct job {
@@ -358,14 +362,18 @@ static double boxed(const job *j, double *error)
 static double free_part(const job *j, int in_box, int in_cell, double *error)
 {
   packing_vec3 away;
+  const double radius = j->cell->radius;
   *error = 0;
   if (j->cell->kind == PACKING_I_CELL_BOX || (j->r > 0 && in_cell > 0))
     return boxed(j, error);
-  if (j->r > 0 && in_box > 0 && (j->cell->kind == PACKING_I_CELL_BALL || j->dim == 2)) {
-    *error = 64 * DBL_EPSILON * packing_i_ball_volume(j->dim, j->r);
-    return packing_i_lens(j->dim, j->r, j->cell->radius,
-                          from_middle(j->cell, j->dim, &j->centre, &away));
-  }
+  if (j->r == 0 || in_box == 0)
+    return sliced(j, error);
+  const double d = from_middle(j->cell, j->dim, &j->centre, &away);
+  *error = 64 * DBL_EPSILON * packing_i_ball_volume(j->dim, j->r);
+  if (j->cell->kind == PACKING_I_CELL_BALL || j->dim == 2)
+    return packing_i_lens(j->dim, j->r, radius, d);
+  if (radius < MOST_RADII * j->r)
+    return packing_i_ball_cylinder(j->r, radius, d, error);
   return sliced(j, error);
 }
 
