@@ -45,7 +45,9 @@ PACKING_API const packing_write_format *packing_write_format_of(const char *path
 
 /** What a deck does with the pack that it loads: grains of one material (Hertz's contact with
  *  Mindlin's friction and damping by restitution) under gravity between walls of the same
- *  material. Any consistent units, since the deck says `units si` of numbers as they are. */
+ *  material. Any consistent units, since the deck says `units si` of numbers as they are. Bonds
+ *  are loaded by LAMMPS's deck and bear no force. Names of files are plain: letters, digits and
+ *  `._-/+=,@~:`. */
 typedef struct packing_deck_def {
   size_t struct_size; /**< set by packing_deck_def_init() */
   const char
@@ -55,9 +57,9 @@ typedef struct packing_deck_def {
                               walls do not do; default "container.stl" */
   const char *dump_name; /**< file that the run writes; default "run.dump" */
   double youngs_modulus; /**< [M L^-1 T^-2], > 0; default 1e7 */
-  double poisson_ratio;  /**< [1], in (-1, 0.5); default 0.3 */
+  double poisson_ratio;  /**< [1], in [0, 0.5); default 0.3 */
   double friction;       /**< [1], >= 0; default 0.5 */
-  double restitution;    /**< [1], in (0, 1]; default 0.5 */
+  double restitution;    /**< [1], in [0.05, 1]; default 0.5 */
   double gravity;    /**< magnitude [L T^-2], >= 0; default 9.81. The deck has it as the
                               variable `gravity`: `lmp -in in.pack -var gravity 0` */
   packing_vec3 down; /**< direction of gravity, any length; default 0: -z, 2D -y */
@@ -83,8 +85,7 @@ typedef struct packing_write_def {
   int dim;            /**< 3 (default) or 2 */
   packing_bounds
       box; /**< the cell [L]; all zeros (default): that of `domain`, wider where
-                           particles stand out of it (not in periodic directions); without a
-                           domain around the particles. 2D: z counts only where it is not 0 */
+                           particles stand out of it (not in periodic directions); X
   unsigned
       periodic; /**< sum of PACKING_PERIODIC_; default 0, with `domain` those of it */
   const packing_domain
@@ -166,7 +167,7 @@ static inline void packing_stl_def_init(packing_stl_def *def)
  *
  *  Round walls become flat pieces that touch them from behind: polygons around outer and inside
  *  inner circles. So no particle of the container overlaps a triangle by more than it overlaps
- *  the wall, and the mesh is larger than the container by (pi / facets)^2 / 3 of a circle's area.
+ *  the wall; a circle's area grows by about (pi / facets)^2 / 3 of it.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain a container of three dimensions, not custom
