@@ -162,7 +162,6 @@ static void maps_refuse(void **state)
   REFUSED(PACKING_ERR_RANGE, "ny", s->box, def.ny = 0);
   REFUSED(PACKING_ERR_RANGE, "nz", s->box, def.nz = 0);
   REFUSED(PACKING_ERR_RANGE, "nz", s->box, def.nz = SIZE_MAX / 16);
-  REFUSED(PACKING_ERR_NOMEM, "memory", s->box, def.nz = SIZE_MAX / 3300);
   REFUSED(PACKING_ERR_RANGE, "tolerance", s->box, def.tolerance = 1);
   REFUSED(PACKING_ERR_ABI, "struct_size", s->box, def.struct_size = 1);
   REFUSED(PACKING_ERR_INVALID, "domain", NULL, (void)0);
