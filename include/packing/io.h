@@ -109,8 +109,10 @@ PACKING_API PACKING_WARN_UNUSED packing_status packing_read_csv(
 
 /** Options of packing_write_vtp(). */
 typedef struct packing_vtp_def {
-  size_t struct_size; /**< set by packing_vtp_def_init() */
-  int compression;    /**< 0 (default): raw; 1 to 9: zlib */
+  size_t struct_size;        /**< set by packing_vtp_def_init() */
+  int compression;           /**< 0 (default): raw; 1 to 9: zlib */
+  const packing_bond *bonds; /**< `bond_count` pairs of the view's indices, or NULL */
+  size_t bond_count;         /**< default 0 */
 } packing_vtp_def;
 
 /** Writes the defaults; called through packing_vtp_def_init().
@@ -126,7 +128,7 @@ static inline void packing_vtp_def_init(packing_vtp_def *def)
 }
 
 /** Writes VTK XML PolyData (.vtp): points, vertices, point data `radius` and the optional
- *  columns of the view. In ParaView: Glyph with sphere, scaled by radius, factor 2. Compression
+ *  columns of the view; bonds as lines, with cell data `bond`, their type (0 on vertices). In ParaView: Glyph with sphere, scaled by radius, factor 2. Compression
  *  runs on the context's threads; the bytes are the same for any number of them.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
@@ -146,6 +148,8 @@ typedef struct packing_lammps_def {
   packing_bounds
       box;           /**< the simulation box; all zeros (default): around the particles */
   const char *title; /**< first line, without newline; NULL: a word of ours */
+  const packing_bond *bonds; /**< `bond_count` pairs of the view's indices, or NULL */
+  size_t bond_count;         /**< default 0 */
 } packing_lammps_def;
 
 /** Writes the defaults; called through packing_lammps_def_init().
@@ -162,15 +166,18 @@ static inline void packing_lammps_def_init(packing_lammps_def *def)
 
 /** Writes LAMMPS data for `atom_style sphere`, which LIGGGHTS reads too: id, type, diameter,
  *  density, x, y, z; velocities where the view has them. Ids are index + 1 unless the view has
- *  ids. In two dimensions the box is one largest diameter thick around z = 0.
+ *  ids. In two dimensions the box is one largest diameter thick around z = 0. With bonds it is
+ *  data for `atom_style hybrid sphere bond` (LAMMPS only): id, type, x, y, z, diameter, density,
+ *  molecule, and a section Bonds; particles that hold together are one molecule, 0 is none.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param view the pack
  *  \param stream where to
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (density; a centre outside the
  *          box, an empty box; an id not in 1 .. 2^31 - 1; more particles than that; a type
- *          below 1); PACKING_ERR_INVALID also for an id that stands twice; what the stream
- *          returns; PACKING_ERR_NOMEM */
+ *          below 1, also of a bond); PACKING_ERR_INVALID also for an id that stands twice and a
+ *          bond of a particle that is not there or with itself; what the stream returns;
+ *          PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_write_lammps(packing_context *context, const packing_lammps_def *def,
                      const packing_view *view, const packing_stream *stream);
@@ -180,6 +187,9 @@ typedef struct packing_yade_def {
   size_t struct_size; /**< set by packing_yade_def_init() */
   int header;         /**< 1: a first line `#format x_y_z_r`, for ymport.text() only; 0
        (default): rows only, for ymport.text() and pack.SpherePack().load() both */
+  packing_vec3
+      period; /**< cell of SpherePack, written as a first line `##PERIODIC::`; all 0
+       (default): none. Goes without `header` */
 } packing_yade_def;
 
 /** Writes the defaults; called through packing_yade_def_init().
@@ -199,7 +209,8 @@ static inline void packing_yade_def_init(packing_yade_def *def)
  *  \param def options, or NULL for the defaults
  *  \param view the pack
  *  \param stream where to
- *  \return PACKING_OK; PACKING_ERR_INVALID; what the stream returns; PACKING_ERR_NOMEM */
+ *  \return PACKING_OK; PACKING_ERR_INVALID (also a header and a period); PACKING_ERR_RANGE (a
+ *          period with a side that is not above 0); what the stream returns; PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_write_yade(packing_context *context, const packing_yade_def *def,
                    const packing_view *view, const packing_stream *stream);
@@ -211,6 +222,7 @@ typedef struct packing_xyz_def {
       box; /**< the cell; all zeros (default): around the particles; lo.z = hi.z:
        one largest diameter thick around z = 0 */
   unsigned periodic; /**< sum of PACKING_PERIODIC_ */
+  double time;       /**< of the frame [T], default 0 */
 } packing_xyz_def;
 
 /** Writes the defaults; called through packing_xyz_def_init().
@@ -226,7 +238,8 @@ static inline void packing_xyz_def_init(packing_xyz_def *def)
 }
 
 /** Writes extended XYZ, as OVITO and ASE read it: count, a line of properties with the cell,
- *  rows `X x y z r id`. Ids are index + 1 unless the view has ids.
+ *  rows `X x y z r id`, then type, velocity, spin and orientation (x, y, z, w) where the view has
+ *  them. Ids are index + 1 unless the view has ids.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param view the pack

@@ -15,8 +15,13 @@
 #include <packing/order.h>
 #include <packing/particles.h>
 #include <packing/placer.h>
+#include <packing/porosity.h>
+#include <packing/pores.h>
 #include <packing/psd.h>
+#include <packing/readers.h>
 #include <packing/rng.h>
+#include <packing/sizes.h>
 #include <packing/types.h>
+#include <packing/writers.h>
 
 #endif

@@ -43,6 +43,13 @@ typedef enum packing_by {
   PACKING_BY_MASS = 1    /**< mass of particles of one density: r^3 (discs: r^2) */
 } packing_by;
 
+/** A bond between two particles. */
+typedef struct packing_bond {
+  size_t i;     /**< index of a particle */
+  size_t j;     /**< index of another */
+  int32_t type; /**< its tag, or type */
+} packing_bond;
+
 /** One number of every particle: entry i stands at `(const char *)data + i * stride`. */
 typedef struct packing_column {
   const void *data; /**< the first entry; NULL: the column is absent */

@@ -32,6 +32,13 @@ packing_status packing_i_round_create(packing_context *context,
   return packing_i_domain_finish(context, &body, "centre", domain);
 }
 
+const packing_i_round *packing_i_domain_round(const packing_domain *domain)
+{
+  return domain->body.ops->signed_distance == packing_i_round_signed_distance
+             ? &domain->body.as.round
+             : NULL;
+}
+
 static double radius_of(const packing_i_domain_body *body, const packing_vec3 *point,
                         packing_vec3 *radial)
 {

@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads the table of csv.c into a store: columns by name, in any order; rows go over in
  * batches, so memory beside the store is constant. Linear in the bytes. */
-#include "io_internal.h"
+#include "read_internal.h"
 #include <string.h>
 
 enum { BATCH = 1024 };
 
 /* In the order of packing_field, so that a field is a bit of packing_i_table.present. */
-static const packing_i_cell_spec specs[PACKING_FIELD_END] = {
-    {"x", PACKING_I_CELL_REAL},          {"y", PACKING_I_CELL_REAL},
-    {"z", PACKING_I_CELL_REAL},          {"r", PACKING_I_CELL_REAL},
-    {"id", PACKING_I_CELL_INT64},        {"type", PACKING_I_CELL_INT32},
-    {"component", PACKING_I_CELL_INT32}, {"vx", PACKING_I_CELL_REAL},
-    {"vy", PACKING_I_CELL_REAL},         {"vz", PACKING_I_CELL_REAL},
-    {"wx", PACKING_I_CELL_REAL},         {"wy", PACKING_I_CELL_REAL},
-    {"wz", PACKING_I_CELL_REAL},         {"qw", PACKING_I_CELL_REAL},
-    {"qx", PACKING_I_CELL_REAL},         {"qy", PACKING_I_CELL_REAL},
-    {"qz", PACKING_I_CELL_REAL},
+static const packing_i_table_spec specs[PACKING_FIELD_END] = {
+    {"x", PACKING_I_TABLE_REAL},          {"y", PACKING_I_TABLE_REAL},
+    {"z", PACKING_I_TABLE_REAL},          {"r", PACKING_I_TABLE_REAL},
+    {"id", PACKING_I_TABLE_INT64},        {"type", PACKING_I_TABLE_INT32},
+    {"component", PACKING_I_TABLE_INT32}, {"vx", PACKING_I_TABLE_REAL},
+    {"vy", PACKING_I_TABLE_REAL},         {"vz", PACKING_I_TABLE_REAL},
+    {"wx", PACKING_I_TABLE_REAL},         {"wy", PACKING_I_TABLE_REAL},
+    {"wz", PACKING_I_TABLE_REAL},         {"qw", PACKING_I_TABLE_REAL},
+    {"qx", PACKING_I_TABLE_REAL},         {"qy", PACKING_I_TABLE_REAL},
+    {"qz", PACKING_I_TABLE_REAL},
 };
 
 #define BIT(field) (UINT32_C(1) << PACKING_FIELD_##field)
@@ -61,8 +61,8 @@ static packing_status understand(const packing_i_table *t, int *dim, unsigned *c
   return PACKING_OK;
 }
 
-static packing_status check_row(const packing_i_table *t, const packing_i_cell *cells,
-                                unsigned r)
+static packing_status check_row(const packing_i_table *t,
+                                const packing_i_table_cell *cells, unsigned r)
 {
   if (cells[(size_t)r * BATCH].real > 0)
     return PACKING_OK;
@@ -71,7 +71,7 @@ static packing_status check_row(const packing_i_table *t, const packing_i_cell *
 }
 
 /* Shows the cells of a batch as a view. */
-static void show(const packing_i_table *t, const packing_i_cell *cells,
+static void show(const packing_i_table *t, const packing_i_table_cell *cells,
                  packing_view *view)
 {
   packing_view_init(view);
@@ -82,11 +82,11 @@ static void show(const packing_i_table *t, const packing_i_cell *cells,
   for (unsigned c = 0; c < t->columns; c++) {
     packing_column *column = columns[t->spec_of[c]];
     column->data = cells + (size_t)c * BATCH;
-    column->stride = sizeof(packing_i_cell);
+    column->stride = sizeof(packing_i_table_cell);
   }
 }
 
-static packing_status read_rows(packing_i_table *t, packing_i_cell *cells,
+static packing_status read_rows(packing_i_table *t, packing_i_table_cell *cells,
                                 packing_particles *particles)
 {
   const unsigned r = packing_i_table_column(t, PACKING_FIELD_R);
@@ -106,20 +106,20 @@ static packing_status read_rows(packing_i_table *t, packing_i_cell *cells,
   return PACKING_OK;
 }
 
-static packing_status read_table(packing_context *context, packing_i_table *t,
-                                 packing_particles *particles)
+/* A table without z may go to a store of three dimensions where `widen` says so. */
+static packing_status read_table(packing_context *context, packing_i_table *t, int widen,
+                                 packing_particles *particles, int *dim)
 {
   const packing_allocator *allocator = packing_i_allocator(context);
-  int dim;
   unsigned columns;
   PACKING_I_TRY(packing_i_table_header(t));
-  PACKING_I_TRY(understand(t, &dim, &columns));
-  if (dim != packing_particles_dim(particles))
+  PACKING_I_TRY(understand(t, dim, &columns));
+  if (*dim != packing_particles_dim(particles) && !(widen && *dim == 2))
     return packing_i_fail(context, PACKING_ERR_RANGE, "particles", PACKING_NO_INDEX,
-                          "the table has dimension %d, the store %d", dim,
+                          "the table has dimension %d, the store %d", *dim,
                           packing_particles_dim(particles));
   PACKING_I_TRY(packing_particles_add_columns(particles, columns));
-  packing_i_cell *cells =
+  packing_i_table_cell *cells =
       packing_i_alloc(allocator, (size_t)t->columns * BATCH, sizeof *cells);
   if (cells == NULL)
     return packing_i_nomem(context);
@@ -128,10 +128,31 @@ static packing_status read_table(packing_context *context, packing_i_table *t,
   return status;
 }
 
+static packing_status read_csv(packing_context *context, const packing_stream *stream,
+                               int widen, packing_particles *particles, int *dim)
+{
+  packing_i_table table;
+  PACKING_I_TRY(packing_i_table_begin(&table, context, &packing_i_format_csv, stream,
+                                      specs, PACKING_FIELD_END));
+  const packing_status status = read_table(context, &table, widen, particles, dim);
+  packing_i_table_end(&table);
+  return status;
+}
+
+static packing_status read_pack(packing_i_read *read)
+{
+  return read_csv(read->context, read->stream, 1, read->particles, &read->info.dim);
+}
+
+const packing_i_reader packing_i_reader_csv = {
+    {"csv", ".csv", "libpacking, a table with a header", "all columns of a pack"},
+    PACKING_I_READS_TABLE,
+    read_pack};
+
 packing_status packing_read_csv(packing_context *context, const packing_stream *stream,
                                 packing_particles *particles)
 {
-  packing_i_table table;
+  int dim;
   if (particles == NULL)
     return packing_i_fail(context, PACKING_ERR_INVALID, "particles", PACKING_NO_INDEX,
                           "NULL");
@@ -139,11 +160,8 @@ packing_status packing_read_csv(packing_context *context, const packing_stream *
     return packing_i_fail(context, PACKING_ERR_RANGE, "particles", PACKING_NO_INDEX,
                           "the store holds %zu particles, an empty one is needed",
                           packing_particles_count(particles));
-  PACKING_I_TRY(packing_i_table_begin(&table, context, &packing_i_format_csv, stream,
-                                      specs, PACKING_FIELD_END));
-  const packing_status status = read_table(context, &table, particles);
+  const packing_status status = read_csv(context, stream, 0, particles, &dim);
   if (status != PACKING_OK)
     packing_particles_truncate(particles, 0);
-  packing_i_table_end(&table);
   return status;
 }

@@ -38,7 +38,7 @@ static uint64_t scaled_digits(uint64_t m, int e, int k)
   const int q = DIGITS - 1 - k;
   const packing_i_scaled s = packing_i_scale10(m, q);
   uint64_t n;
-  packing_i_rounding rounding = packing_i_round(&s, -(e + s.exp2), &n);
+  packing_i_rounding rounding = packing_i_round_scaled(&s, -(e + s.exp2), &n);
   if (rounding == PACKING_I_ROUND_UNSURE)
     rounding = packing_i_round_exactly(m, e, q, n);
   return n + (rounding == PACKING_I_ROUND_UP ||

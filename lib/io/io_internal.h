@@ -44,11 +44,37 @@ int64_t packing_i_view_id(const packing_view *view, size_t i);
 /* An entry of an int32_t column, `absent` where there is none. */
 int32_t packing_i_view_int(const packing_column *column, size_t i, int32_t absent);
 double packing_i_view_largest_r(const packing_view *view);
+/* The box around all particles, of which there is one at least. */
+packing_bounds packing_i_io_around(const packing_view *view);
 /* The box of a cell: `given` when it is not all zeros, else around the particles. A flat
  * one is one largest diameter thick around z = 0. Refuses what is empty or not finite. */
 packing_status packing_i_io_box(packing_context *context, const packing_view *view,
                                 const packing_bounds *given, int flat,
                                 packing_bounds *box);
+
+/* Bonds join different particles of the view (write_bonds.c). */
+packing_status packing_i_check_bonds(packing_context *context, size_t count,
+                                     const packing_bond *bonds, size_t bond_count);
+/* Types of bonds are 1 and above; the largest one, at least 1. */
+packing_status packing_i_bond_types(packing_context *context, const packing_bond *bonds,
+                                    size_t bond_count, int32_t *largest);
+/* The group of each particle: those joined by bonds have one number, the groups are 1, 2, ...
+ * by their first particle, a particle without a bond has 0. `groups` has `count` entries and is
+ * the caller's to free. */
+packing_status packing_i_bond_groups(packing_context *context, size_t count,
+                                     const packing_bond *bonds, size_t bond_count,
+                                     uint32_t **groups);
+/* Ids are different and in lowest .. 2^31 - 1; at most 2^31 - 1 particles (write_ids.c). Those
+ * of a view without ids are `lowest` and up. */
+packing_status packing_i_check_ids(packing_context *context, const packing_view *view,
+                                   int64_t lowest);
+int64_t packing_i_id_from(const packing_view *view, size_t i, int64_t lowest);
+/* Types are 1 and above; the largest one, at least 1 (write_ids.c). */
+packing_status packing_i_check_types(packing_context *context, const packing_view *view,
+                                     int32_t *largest);
+/* Centres are inside, not on the upper faces. */
+packing_status packing_i_check_inside(packing_context *context, const packing_view *view,
+                                      const packing_bounds *box);
 
 /* Passes on the failure of a stream; says so in the context unless the stream is that of a
  * file, which has said more. */
@@ -56,6 +82,10 @@ packing_status packing_i_stream_failed(packing_context *context,
                                        const packing_stream *stream,
                                        const packing_i_format *format,
                                        packing_status status);
+/* What a stream that claims too much came to. */
+packing_status packing_i_stream_overran(packing_context *context);
+/* Whether a stream is one that inflates, and so has noted its failures (gunzip.c). */
+int packing_i_is_gunzip(const packing_stream *stream);
 /* Whether a stream belongs to a file whose failures are noted in `context` (file.c). */
 int packing_i_stream_reports_to(const packing_stream *stream,
                                 const packing_context *context);
@@ -64,7 +94,7 @@ int packing_i_stream_reports_to(const packing_stream *stream,
 typedef struct packing_i_writer {
   packing_context *context;
   const packing_stream *stream;
-  const packing_i_format *format;
+  const char *name; /* of the format, for messages */
   packing_status status;
   char *buffer;
   size_t used, capacity;
@@ -73,6 +103,9 @@ typedef struct packing_i_writer {
 packing_status packing_i_writer_begin(packing_i_writer *writer, packing_context *context,
                                       const packing_i_format *format,
                                       const packing_stream *stream);
+/* The same for a format that has no descriptor of this kind. */
+packing_status packing_i_writer_open(packing_i_writer *writer, packing_context *context,
+                                     const char *name, const packing_stream *stream);
 /* Flushes, frees and returns the first failure. */
 packing_status packing_i_writer_end(packing_i_writer *writer);
 void packing_i_put_bytes(packing_i_writer *writer, const void *data, size_t count);
@@ -100,6 +133,7 @@ typedef struct packing_i_lines {
   size_t begin, seen, end; /* unread text; what of it holds no end of line; its end */
   int ended;
   int skip_blank; /* blank lines are passed over like comments */
+  int keep_comments;
 } packing_i_lines;
 
 packing_status packing_i_lines_begin(packing_i_lines *lines, packing_context *context,
@@ -125,32 +159,37 @@ packing_status packing_i_check_scaled(const packing_i_lines *lines, const char *
 enum { PACKING_I_QUOTE_SIZE = 48 };
 const char *packing_i_quote(const char *at, const char *end, char *out);
 
+/* What is wrong with a number from `at` to `end`, which came to `found`. */
+packing_status packing_i_number_fail(const packing_i_lines *lines, const char *name,
+                                     const char *at, const char *end,
+                                     packing_i_number found, const char *wanted);
+
 /* The reader of tables (table_reader.c): comma-separated columns of numbers, blanks around
  * them ignored. */
-typedef enum packing_i_cell_kind {
-  PACKING_I_CELL_REAL,
-  PACKING_I_CELL_INT64,
-  PACKING_I_CELL_INT32
-} packing_i_cell_kind;
+typedef enum packing_i_table_kind {
+  PACKING_I_TABLE_REAL,
+  PACKING_I_TABLE_INT64,
+  PACKING_I_TABLE_INT32
+} packing_i_table_kind;
 
-typedef union packing_i_cell {
+typedef union packing_i_table_cell {
   double real;
   int64_t int64;
   int32_t int32;
-} packing_i_cell;
+} packing_i_table_cell;
 
-typedef struct packing_i_cell_spec {
+typedef struct packing_i_table_spec {
   const char *name;
-  packing_i_cell_kind kind;
-} packing_i_cell_spec;
+  packing_i_table_kind kind;
+} packing_i_table_spec;
 
 enum { PACKING_I_TABLE_COLUMNS = 32 };
 
 typedef struct packing_i_table {
   packing_i_lines lines;
-  const packing_i_cell_spec *specs; /* the columns that may stand in a table */
-  unsigned spec_count;              /* at most PACKING_I_TABLE_COLUMNS */
-  unsigned columns;                 /* that stand in this one */
+  const packing_i_table_spec *specs; /* the columns that may stand in a table */
+  unsigned spec_count;               /* at most PACKING_I_TABLE_COLUMNS */
+  unsigned columns;                  /* that stand in this one */
   uint8_t spec_of[PACKING_I_TABLE_COLUMNS];
   uint32_t present; /* bit s: column of spec s */
 } packing_i_table;
@@ -158,14 +197,14 @@ typedef struct packing_i_table {
 packing_status packing_i_table_begin(packing_i_table *table, packing_context *context,
                                      const packing_i_format *format,
                                      const packing_stream *stream,
-                                     const packing_i_cell_spec *specs,
+                                     const packing_i_table_spec *specs,
                                      unsigned spec_count);
 void packing_i_table_end(packing_i_table *table);
 packing_status packing_i_table_header(packing_i_table *table);
 /* Which column of the file a spec is. */
 unsigned packing_i_table_column(const packing_i_table *table, unsigned spec);
 /* Reads a row: column c goes to cells[c * stride]; *got 0 at the end. */
-packing_status packing_i_table_row(packing_i_table *table, packing_i_cell *cells,
+packing_status packing_i_table_row(packing_i_table *table, packing_i_table_cell *cells,
                                    size_t stride, int *got);
 
 #endif

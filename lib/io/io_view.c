@@ -130,7 +130,7 @@ static void widen(double *lo, double *hi, double centre, double r)
   *hi = above > *hi ? above : *hi;
 }
 
-static packing_bounds around(const packing_view *v)
+packing_bounds packing_i_io_around(const packing_view *v)
 {
   packing_bounds b = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
   for (size_t i = 0; i < v->count; i++) {
@@ -162,12 +162,28 @@ packing_status packing_i_io_box(packing_context *context, const packing_view *vi
   if (is_unset(given) && view->count == 0)
     return packing_i_fail(context, PACKING_ERR_INVALID, "box", PACKING_NO_INDEX,
                           "no particles to go around: a box is needed");
-  *box = is_unset(given) ? around(view) : *given;
-  if (flat && view->count > 0) {
-    box->hi.z = packing_i_view_largest_r(view);
+  *box = is_unset(given) ? packing_i_io_around(view) : *given;
+  if (flat && (view->count > 0 || box->lo.z == box->hi.z)) {
+    box->hi.z = view->count > 0
+                    ? packing_i_view_largest_r(view)
+                    : 0.5 * fmin(box->hi.x - box->lo.x, box->hi.y - box->lo.y);
     box->lo.z = -box->hi.z;
   }
   PACKING_I_TRY(check_side(context, box->lo.x, box->hi.x, 'x'));
   PACKING_I_TRY(check_side(context, box->lo.y, box->hi.y, 'y'));
   return check_side(context, box->lo.z, box->hi.z, 'z');
+}
+
+packing_status packing_i_check_inside(packing_context *context, const packing_view *v,
+                                      const packing_bounds *box)
+{
+  for (size_t i = 0; i < v->count; i++) {
+    const packing_vec3 p = packing_i_view_centre(v, i);
+    if (!(p.x >= box->lo.x && p.x < box->hi.x && p.y >= box->lo.y && p.y < box->hi.y &&
+          p.z >= box->lo.z && p.z < box->hi.z))
+      return packing_i_fail(context, PACKING_ERR_RANGE, "box", i,
+                            "the centre of particle %zu (%g, %g, %g) lies outside", i,
+                            p.x, p.y, p.z);
+  }
+  return PACKING_OK;
 }

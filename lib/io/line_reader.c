@@ -63,6 +63,29 @@ const char *packing_i_quote(const char *at, const char *end, char *out)
   return out;
 }
 
+packing_status packing_i_number_fail(const packing_i_lines *lines, const char *name,
+                                     const char *at, const char *end,
+                                     packing_i_number found, const char *wanted)
+{
+  char quote[PACKING_I_QUOTE_SIZE];
+  packing_i_quote(at, end, quote);
+  if (found == PACKING_I_NUMBER_LARGE)
+    return packing_i_lines_fail(lines, PACKING_ERR_FORMAT, "%s: %s is out of range", name,
+                                quote);
+  if (found == PACKING_I_NUMBER_LONG)
+    return packing_i_lines_fail(lines, PACKING_ERR_FORMAT,
+                                "%s: a number longer than %d bytes", name,
+                                PACKING_I_NUMBER_LENGTH);
+  return packing_i_lines_fail(lines, PACKING_ERR_FORMAT, "%s: %s is not %s", name, quote,
+                              wanted);
+}
+
+packing_status packing_i_stream_overran(packing_context *context)
+{
+  return packing_i_fail(context, PACKING_ERR_INVALID, "stream", PACKING_NO_INDEX,
+                        "its read gave more bytes than there was room for");
+}
+
 /* Reads once more behind the unread text, which moves to the front. */
 static packing_status fill(packing_i_lines *l)
 {
@@ -77,8 +100,7 @@ static packing_status fill(packing_i_lines *l)
   if (status != PACKING_OK)
     return packing_i_stream_failed(l->context, l->stream, l->format, status);
   if (count > room)
-    return packing_i_fail(l->context, PACKING_ERR_INVALID, "stream", PACKING_NO_INDEX,
-                          "its read gave more bytes than there was room for");
+    return packing_i_stream_overran(l->context);
   l->end += count;
   l->ended = count == 0;
   return PACKING_OK;
@@ -147,6 +169,7 @@ packing_status packing_i_lines_next(packing_i_lines *lines, const char **at,
 {
   do
     PACKING_I_TRY(next_of_any_kind(lines, at, end));
-  while (*at != NULL && (**at == '#' || (lines->skip_blank && is_blank(*at, *end))));
+  while (*at != NULL && ((**at == '#' && !lines->keep_comments) ||
+                         (lines->skip_blank && is_blank(*at, *end))));
   return PACKING_OK;
 }

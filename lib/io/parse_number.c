@@ -97,7 +97,7 @@ static packing_i_rounding to_mantissa(uint64_t w, int q, uint64_t *m, int *e)
     *m = 0;
     return PACKING_I_ROUND_DOWN;
   }
-  return packing_i_round(&s, shift, m);
+  return packing_i_round_scaled(&s, shift, m);
 }
 
 /* All digits of the text against m + 1/2, in units of 2^e. */

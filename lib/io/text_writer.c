@@ -10,7 +10,7 @@ packing_status packing_i_stream_failed(packing_context *context,
                                        const packing_i_format *format,
                                        packing_status status)
 {
-  if (packing_i_stream_reports_to(stream, context))
+  if (packing_i_is_gunzip(stream) || packing_i_stream_reports_to(stream, context))
     return status;
   return packing_i_fail(context, status, "stream", PACKING_NO_INDEX,
                         "%s, with the stream of a %s file", packing_status_string(status),
@@ -21,13 +21,19 @@ packing_status packing_i_writer_begin(packing_i_writer *writer, packing_context 
                                       const packing_i_format *format,
                                       const packing_stream *stream)
 {
+  return packing_i_writer_open(writer, context, format->name, stream);
+}
+
+packing_status packing_i_writer_open(packing_i_writer *writer, packing_context *context,
+                                     const char *name, const packing_stream *stream)
+{
   memset(writer, 0, sizeof *writer);
   if (stream == NULL || stream->write == NULL)
     return packing_i_fail(context, PACKING_ERR_INVALID, "stream", PACKING_NO_INDEX,
                           "it cannot be written to");
   writer->context = context;
   writer->stream = stream;
-  writer->format = format;
+  writer->name = name;
   writer->capacity = CAPACITY;
   writer->buffer = packing_i_alloc(packing_i_allocator(context), CAPACITY, 1);
   return writer->buffer == NULL ? packing_i_nomem(context) : PACKING_OK;
@@ -52,7 +58,8 @@ packing_status packing_i_writer_end(packing_i_writer *w)
   w->buffer = NULL;
   if (w->status == PACKING_OK)
     return PACKING_OK;
-  return packing_i_stream_failed(w->context, w->stream, w->format, w->status);
+  const packing_i_format format = {.name = w->name};
+  return packing_i_stream_failed(w->context, w->stream, &format, w->status);
 }
 
 char *packing_i_room(packing_i_writer *w, size_t count)
