@@ -158,7 +158,7 @@ typedef struct packing_neighbours packing_neighbours;
  *  \param[out] neighbours the lists
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE; PACKING_ERR_NOMEM;
  *          PACKING_ERR_ABI. Linear time; 49 bytes a particle and 16 a neighbour, and
- *          some 50 a particle more meanwhile */
+ *          some 100 a particle more meanwhile */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_neighbours_create(
     packing_context *context, const packing_neighbours_def *def, packing_domain *domain,
     const packing_view *view, packing_neighbours **neighbours);
@@ -253,7 +253,7 @@ static inline void packing_bond_order_report_init(packing_bond_order_report *rep
  *  \param capacity room in `local`
  *  \param[out] report what was found over all that count
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (l); PACKING_ERR_NOMEM;
- *          PACKING_ERR_ABI. Linear in the bonds; 16 (l + 1) + 40 bytes a particle meanwhile */
+ *          PACKING_ERR_ABI. Linear in the bonds; 16 (l + 1) bytes a particle meanwhile */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_measure_bond_order(
     packing_context *context, const packing_bond_order_def *def,
     const packing_neighbours *neighbours, packing_bond_order *local, size_t capacity,
