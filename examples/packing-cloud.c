@@ -106,7 +106,7 @@ static error_t parse_own(int key, char *argument, struct argp_state *state)
   switch (key) {
   case ARGP_KEY_INIT:
     options_refuse(key, argument, state);
-    state->child_inputs[0] = state->child_inputs[1] = &o->common;
+    options_pass_on(state, &o->common, 2);
     return 0;
   case KEY_METHOD:
     code = read_method(argument, o);
@@ -357,8 +357,13 @@ static int run(cloud *c, const char *command)
     return code;
   packing_particles_view(c->particles, &view);
   c->report.unplaced = c->placed.unplaced;
-  code = measures_fill(&c->report, c->context, c->domain, c->psd, &view,
-                       c->asked->common.max_overlap);
+  const measured m = {.context = c->context,
+                      .domain = c->domain,
+                      .psd = c->psd,
+                      .view = &view,
+                      .dim = c->spec.dim,
+                      .limit = c->asked->common.max_overlap};
+  code = measures_fill(&c->report, &m, NULL);
   if (!code)
     code = write_results(c, &view, command, start);
   return code ? code : judge(c);

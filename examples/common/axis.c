@@ -2,7 +2,7 @@
 #include "axis.h"
 #include <math.h>
 
-static void add_tick(axis *a, double value)
+static void add_tick(axis_range *a, double value)
 {
   const double slack = 1e-9 * (a->hi - a->lo);
   if (a->count < AXIS_TICKS && value >= a->lo - slack && value <= a->hi + slack)
@@ -10,7 +10,7 @@ static void add_tick(axis *a, double value)
 }
 
 /* 1, 2 or 5 times a power of ten, four to nine ticks. */
-static void add_linear_ticks(axis *a)
+static void add_linear_ticks(axis_range *a)
 {
   const double rough = (a->hi - a->lo) / 5, unit = pow(10, floor(log10(rough)));
   const double lead = rough / unit;
@@ -21,7 +21,7 @@ static void add_linear_ticks(axis *a)
 }
 
 /* 1, 2, 5 in each decade; over more than four decades the powers of ten alone. */
-static void add_logarithmic_ticks(axis *a)
+static void add_logarithmic_ticks(axis_range *a)
 {
   static const double leads[] = {1, 2, 5};
   const int all = log10(a->hi / a->lo) <= 4;
@@ -31,7 +31,7 @@ static void add_logarithmic_ticks(axis *a)
       add_tick(a, leads[i] * pow(10, k));
 }
 
-void axis_init(axis *a, double lo, double hi, int may_be_logarithmic)
+void axis_init(axis_range *a, double lo, double hi, int may_be_logarithmic)
 {
   if (!(hi > lo * (1 + 1e-12))) {
     const double middle = lo;
@@ -49,13 +49,27 @@ void axis_init(axis *a, double lo, double hi, int may_be_logarithmic)
     add_linear_ticks(a);
 }
 
-double axis_place(const axis *a, double value)
+void axis_thin(axis_range *a)
+{
+  /* Of 1, 2, 5 the ones stay; of even steps every second, the first among them. */
+  size_t kept = 0;
+  for (size_t k = 0; k < a->count; k++) {
+    const double lead = a->tick[k] / pow(10, floor(log10(a->tick[k]) + 1e-9));
+    if (a->count > 6 && (a->logarithmic ? lead < 1.5 : k % 2 == 0))
+      a->tick[kept++] = a->tick[k];
+    else if (a->count <= 6)
+      kept++;
+  }
+  a->count = kept;
+}
+
+double axis_place(const axis_range *a, double value)
 {
   return a->logarithmic ? log(value / a->lo) / log(a->hi / a->lo)
                         : (value - a->lo) / (a->hi - a->lo);
 }
 
-double axis_value(const axis *a, double place)
+double axis_value(const axis_range *a, double place)
 {
   return a->logarithmic ? a->lo * pow(a->hi / a->lo, place)
                         : a->lo + place * (a->hi - a->lo);

@@ -8,19 +8,22 @@
 
 enum { AXIS_TICKS = 24 };
 
-typedef struct axis {
+typedef struct axis_range {
   double lo, hi; /* lo < hi; logarithmic: lo > 0 */
   int logarithmic;
   size_t count;
   double tick[AXIS_TICKS];
-} axis;
+} axis_range;
 
 /* An axis over [lo, hi], logarithmic where hi / lo exceeds 3 and `may_be_logarithmic`; an
  * empty range is widened. */
-void axis_init(axis *a, double lo, double hi, int may_be_logarithmic);
+void axis_init(axis_range *a, double lo, double hi, int may_be_logarithmic);
+
+/* Leaves at most half of the ticks, for a narrow panel. */
+void axis_thin(axis_range *a);
 
 /* From 0 at lo to 1 at hi. */
-double axis_place(const axis *a, double value);
-double axis_value(const axis *a, double place);
+double axis_place(const axis_range *a, double value);
+double axis_value(const axis_range *a, double place);
 
 #endif

@@ -25,10 +25,15 @@ rgb rgb_mix(rgb a, rgb b, double t)
   return (rgb){a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b)};
 }
 
+rgb colours_category(size_t component)
+{
+  return categories[component % CATEGORIES];
+}
+
 /* The darkest end is left out: shading needs room below. */
 static const double DARKEST = 0.1, ONLY = 0.55;
 
-static rgb map(double t)
+rgb colours_scale(double t)
 {
   const double at = (DARKEST + (1 - DARKEST) * fmin(fmax(t, 0), 1)) * LAST;
   const int below = at < LAST ? (int)at : LAST - 1;
@@ -51,16 +56,17 @@ void colours_init(colours *c, const pack *p)
   packing_bounds bounds;
   c->by = p->colour;
   c->equal = 0;
-  c->components = packing_psd_components(p->psd);
+  c->components = pack_components(p);
   if (c->by == COLOUR_HEIGHT) {
-    packing_domain_bounds(p->domain, &bounds);
+    pack_bounds(p, &bounds);
     if (p->spec->dim == 2)
       axis_init(&c->scale, bounds.lo.y, bounds.hi.y, 0);
     else
       axis_init(&c->scale, bounds.lo.z, bounds.hi.z, 0);
     return;
   }
-  const double lo = packing_psd_min_r(p->psd), hi = packing_psd_max_r(p->psd);
+  double lo, hi;
+  pack_radii(p, &lo, &hi);
   c->equal = lo == hi;
   c->only = lo;
   axis_init(&c->scale, lo, hi, 1);
@@ -69,8 +75,8 @@ void colours_init(colours *c, const pack *p)
 rgb colours_of(const colours *c, const pack *p, size_t i)
 {
   if (c->by == COLOUR_COMPONENT)
-    return categories[pack_component(p, i) % CATEGORIES];
-  return map(c->equal ? ONLY : axis_place(&c->scale, value_of(c, p, i)));
+    return colours_category(pack_component(p, i));
+  return colours_scale(c->equal ? ONLY : axis_place(&c->scale, value_of(c, p, i)));
 }
 
 static void draw_swatch(canvas *sheet, double x, double y, rgb colour, const char *label)
@@ -97,7 +103,7 @@ static void draw_ramp(canvas *sheet, double x, double y, double height)
 {
   cairo_pattern_t *ramp = cairo_pattern_create_linear(0, y + height, 0, y);
   for (int k = 0; k <= STOPS; k++) {
-    const rgb colour = map((double)k / STOPS);
+    const rgb colour = colours_scale((double)k / STOPS);
     cairo_pattern_add_color_stop_rgb(ramp, (double)k / STOPS, colour.r, colour.g,
                                      colour.b);
   }
@@ -107,19 +113,27 @@ static void draw_ramp(canvas *sheet, double x, double y, double height)
   cairo_pattern_destroy(ramp);
 }
 
-static void draw_ticks(const colours *c, canvas *sheet, double x, double y, double height)
+static void draw_ticks(const axis_range *scale, canvas *sheet, double x, double y,
+                       double height)
 {
   cairo_set_source_rgb(sheet->cr, 0.2, 0.2, 0.2);
   cairo_set_line_width(sheet->cr, 1);
-  for (size_t k = 0; k < c->scale.count; k++) {
+  for (size_t k = 0; k < scale->count; k++) {
     char label[32];
-    const double at = y + height * (1 - axis_place(&c->scale, c->scale.tick[k]));
+    const double at = y + height * (1 - axis_place(scale, scale->tick[k]));
     cairo_move_to(sheet->cr, x + 20, at);
     cairo_line_to(sheet->cr, x + 25, at);
     cairo_stroke(sheet->cr);
-    snprintf(label, sizeof label, "%.6g", c->scale.tick[k]);
+    snprintf(label, sizeof label, "%.6g", scale->tick[k]);
     canvas_text(sheet, x + 30, at + 6, 17, 0, ALIGN_LEFT, label);
   }
+}
+
+void colours_draw_scale(const axis_range *scale, canvas *sheet, double x, double y,
+                        double height)
+{
+  draw_ramp(sheet, x, y, height);
+  draw_ticks(scale, sheet, x, y, height);
 }
 
 void colours_draw_bar(const colours *c, canvas *sheet, double x, double y, double height)
@@ -136,9 +150,8 @@ void colours_draw_bar(const colours *c, canvas *sheet, double x, double y, doubl
   if (c->equal) {
     char label[32];
     snprintf(label, sizeof label, "%.6g", c->only);
-    draw_swatch(sheet, x, y, map(ONLY), label);
+    draw_swatch(sheet, x, y, colours_scale(ONLY), label);
     return;
   }
-  draw_ramp(sheet, x, y, height);
-  draw_ticks(c, sheet, x, y, height);
+  colours_draw_scale(&c->scale, sheet, x, y, height);
 }

@@ -1,32 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "measures.h"
+#include <math.h>
 #include <string.h>
 #include "program.h"
 
-static packing_status audit_pack(report *r, packing_context *context,
-                                 packing_domain *domain, const packing_view *view,
-                                 double limit)
+static packing_status audit_pack(report *r, const measured *m)
 {
   packing_audit_def def;
   packing_audit_report audit;
   packing_audit_def_init(&def);
   packing_audit_report_init(&audit);
-  def.limit = limit;
-  const packing_status status = packing_audit(context, &def, domain, view, &audit);
+  def.limit = m->limit;
+  const packing_status status =
+      packing_audit(m->context, &def, m->domain, m->view, &audit);
   r->max_overlap = audit.max_overlap;
-  r->max_protrusion = audit.max_protrusion;
+  r->max_protrusion = m->domain ? audit.max_protrusion : (double)NAN;
   r->audit_limit = def.limit;
   r->audit_passed = audit.passed;
   return status;
 }
 
-static packing_status measure_volume(report *r, packing_context *context,
-                                     packing_domain *domain, const packing_view *view)
+static packing_status measure_volume(report *r, const measured *m)
 {
   packing_volume_report volume;
+  if (!m->domain)
+    return PACKING_OK;
   packing_volume_report_init(&volume);
   const packing_status status =
-      packing_measure_volume(context, NULL, domain, view, &volume);
+      packing_measure_volume(m->context, NULL, m->domain, m->view, &volume);
   r->domain_volume = volume.domain_volume;
   r->solid_volume = volume.solid_volume;
   r->volume_fraction = volume.volume_fraction;
@@ -34,32 +35,72 @@ static packing_status measure_volume(report *r, packing_context *context,
   return status;
 }
 
-static packing_status measure_coordination(report *r, packing_context *context,
-                                           packing_domain *domain,
-                                           const packing_view *view)
+static packing_status measure_coordination(report *r, const packing_contacts *contacts)
 {
-  packing_coordination_def def;
   packing_coordination_report found;
-  packing_coordination_def_init(&def);
   packing_coordination_report_init(&found);
-  def.dim = packing_domain_dim(domain);
-  const packing_status status =
-      packing_measure_coordination(context, &def, domain, view, &found);
+  const packing_status status = packing_contacts_coordination(contacts, &found);
   r->coordination_mean = found.mean;
   r->coordination_mean_no_rattlers = found.mean_no_rattlers;
-  r->coordination_tolerance = def.tolerance;
   r->rattlers = found.rattlers;
   memcpy(r->histogram, found.histogram, sizeof r->histogram);
   r->histogram_known = 1;
   return status;
 }
 
-static packing_status measure_sizes(report *r, packing_context *context, packing_psd *psd,
-                                    const packing_view *view)
+void measures_keep_fabric(report_fabric *to, const packing_fabric_report *found)
+{
+  to->known = 1;
+  to->dim = found->dim;
+  to->count = found->count;
+  memcpy(to->eigenvalues, found->eigenvalues, sizeof to->eigenvalues);
+  memcpy(to->tensor, found->tensor, sizeof to->tensor);
+  to->sd = found->sd;
+  to->noise_floor = found->noise_floor;
+}
+
+static packing_status measure_fabric(report *r, const packing_contacts *contacts)
+{
+  packing_fabric_report found;
+  packing_fabric_report_init(&found);
+  const packing_status status = packing_contacts_fabric(contacts, NULL, &found);
+  if (status == PACKING_OK)
+    measures_keep_fabric(&r->fabric, &found);
+  return status;
+}
+
+static packing_status measure_contacts(report *r, const measured *m,
+                                       packing_contacts **contacts)
+{
+  packing_contacts_def def;
+  packing_contacts_def_init(&def);
+  def.dim = m->dim;
+  def.walls = contacts != NULL;
+  if (m->tolerance > 0)
+    def.tolerance = m->tolerance;
+  r->coordination_tolerance = def.tolerance;
+  packing_contacts *found = NULL;
+  packing_status status =
+      packing_contacts_create(m->context, &def, m->domain, m->view, &found);
+  if (status == PACKING_OK)
+    status = measure_coordination(r, found);
+  if (status == PACKING_OK)
+    status = measure_fabric(r, found);
+  if (contacts)
+    *contacts = found;
+  else
+    packing_contacts_destroy(found);
+  return status;
+}
+
+static packing_status measure_sizes(report *r, const measured *m)
 {
   packing_sizes_report sizes;
+  if (!m->psd)
+    return PACKING_OK;
   packing_sizes_report_init(&sizes);
-  const packing_status status = packing_measure_sizes(context, psd, view, &sizes);
+  const packing_status status =
+      packing_measure_sizes(m->context, m->psd, m->view, &sizes);
   r->ks = sizes.ks;
   r->ks_limit = sizes.ks_limit;
   r->ks_mass = sizes.ks_mass;
@@ -67,21 +108,20 @@ static packing_status measure_sizes(report *r, packing_context *context, packing
   return status;
 }
 
-int measures_fill(report *r, packing_context *context, packing_domain *domain,
-                  packing_psd *psd, const packing_view *view, double limit)
+int measures_fill(report *r, const measured *m, packing_contacts **contacts)
 {
   const double start = program_seconds();
-  packing_status status = audit_pack(r, context, domain, view, limit);
+  packing_status status = audit_pack(r, m);
   if (status == PACKING_OK)
-    status = measure_volume(r, context, domain, view);
-  if (status == PACKING_OK && view->count > 0)
-    status = measure_coordination(r, context, domain, view);
-  if (status == PACKING_OK && view->count > 0)
-    status = measure_sizes(r, context, psd, view);
-  r->dim = packing_domain_dim(domain);
-  r->particles = view->count;
+    status = measure_volume(r, m);
+  if (status == PACKING_OK && m->view->count > 0)
+    status = measure_contacts(r, m, contacts);
+  if (status == PACKING_OK && m->view->count > 0)
+    status = measure_sizes(r, m);
+  r->dim = m->dim;
+  r->particles = m->view->count;
   r->time_measure = program_seconds() - start;
-  return status == PACKING_OK ? 0 : program_status(context, status, "measures");
+  return status == PACKING_OK ? 0 : program_status(m->context, status, "measures");
 }
 
 int measures_judge(const report *r)

@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "program.h"
@@ -72,4 +73,13 @@ int number_whole(const char *where, const char *text, uint64_t least, uint64_t m
                         text, (unsigned long long)least, (unsigned long long)most);
   *value = read;
   return 0;
+}
+
+void number_text(char text[NUMBER_TEXT], double value)
+{
+  for (int digits = 15; digits <= 17; digits++) {
+    snprintf(text, NUMBER_TEXT, "%.*g", digits, value);
+    if (strtod(text, NULL) == value)
+      return;
+  }
 }

@@ -27,40 +27,49 @@ enum {
   KEY_QUIET
 };
 
-static const struct argp_option table[] = {
+/* Of every program. */
+static const struct argp_option pack_table[] = {
     {NULL, 0, NULL, 0, "What and where:", 1},
     {"domain", KEY_DOMAIN, "SPEC", 0, "the container", 1},
-    {"psd", KEY_PSD, "SPEC", 0, "the particle sizes", 1},
-    {"density", KEY_DENSITY, "RHO", 0, "density of the particles (default 1000)", 1},
     {NULL, 0, NULL, 0, "Randomness and machine:", 6},
-    {"seed", KEY_SEED, "N", 0, "64-bit seed (default 1)", 6},
-    {"stream", KEY_STREAM, "N", 0, "which pack of that seed (default 0)", 6},
     {"threads", KEY_THREADS, "N", 0, "threads (default all cores)", 6},
     {"isa", KEY_ISA, "NAME", 0,
      "instruction set: auto (default), baseline, avx2, avx512. Neither this nor the "
-     "number "
-     "of threads changes the pack",
+     "number of threads changes a result",
      6},
     {NULL, 0, NULL, 0, "Results:", 7},
-    {"out", KEY_OUT, "[FORMAT:]FILE", 0,
-     "write the pack; may be repeated. Formats: csv vtp lammps liggghts yade xyz png "
-     "svg; "
-     "without FORMAT by extension: .csv .vtp .data .xyz .png .svg",
-     7},
-    {"plot-sizes", KEY_PLOT_SIZES, "FILE", 0,
-     "plot the size curves asked and placed (.png or .svg)", 7},
-    {"colour", KEY_COLOUR, "WHAT", 0,
-     "what colours show in pictures of the pack: radius (default), component, height", 7},
-    {"color", KEY_COLOUR, "WHAT", OPTION_ALIAS | OPTION_HIDDEN, NULL, 7},
     {"report", KEY_REPORT, "FILE", 0,
-     "write the JSON report there (default: standard "
-     "output)",
-     7},
+     "write the JSON report there (default: standard output)", 7},
     {"max-overlap", KEY_MAX_OVERLAP, "X", 0,
      "the audit fails above this overlap or protrusion, relative to the smaller radius "
      "(default 1e-9, after settling 0.01)",
      7},
-    {"quiet", KEY_QUIET, NULL, 0, "no progress bar and no remarks", 7},
+    {"quiet", KEY_QUIET, NULL, 0, "no progress bar, no remarks, no summary", 7},
+    {NULL, 0, NULL, 0, NULL, 0},
+};
+
+/* Of those that know of sizes asked for. */
+static const struct argp_option sizes_table[] = {
+    {"psd", KEY_PSD, "SPEC", 0, "the particle sizes", 1},
+    {NULL, 0, NULL, 0, NULL, 0},
+};
+
+/* Of those that write packs. */
+static const struct argp_option out_table[] = {
+    {"density", KEY_DENSITY, "RHO", 0, "density of the particles (default 1000)", 1},
+    {"out", KEY_OUT, "[FORMAT:]FILE", 0, output_help, 7},
+    {"colour", KEY_COLOUR, "WHAT", 0,
+     "what colours show in pictures of the pack: radius (default), component, height", 7},
+    {"color", KEY_COLOUR, "WHAT", OPTION_ALIAS | OPTION_HIDDEN, NULL, 7},
+    {NULL, 0, NULL, 0, NULL, 0},
+};
+
+/* Of those that make packs. */
+static const struct argp_option make_table[] = {
+    {"seed", KEY_SEED, "N", 0, "64-bit seed (default 1)", 6},
+    {"stream", KEY_STREAM, "N", 0, "which pack of that seed (default 0)", 6},
+    {"plot-sizes", KEY_PLOT_SIZES, "FILE", 0,
+     "plot the sizes asked and placed (.png or .svg)", 7},
     {NULL, 0, NULL, 0, NULL, 0},
 };
 
@@ -178,6 +187,7 @@ static int read_option(int key, const char *text, options *o)
   case KEY_PSD:
     return read_once("--psd", text, &o->psd);
   case KEY_DENSITY:
+    o->density_given = 1;
     return number_positive("--density", text, &o->density);
   case KEY_SEED:
     return number_whole("--seed", text, 0, UINT64_MAX, &o->seed);
@@ -248,26 +258,97 @@ static error_t parse_amount(int key, char *argument, struct argp_state *state)
   return end_or_go_on(read_amount(key, argument, state->input));
 }
 
-const struct argp options_argp = {.options = table, .parser = parse};
+void options_pass_on(struct argp_state *state, options *o, size_t children)
+{
+  for (size_t i = 0; i < children; i++)
+    state->child_inputs[i] = o;
+}
+
+const struct argp options_pack_argp = {.options = pack_table, .parser = parse};
+const struct argp options_sizes_argp = {.options = sizes_table, .parser = parse};
+const struct argp options_out_argp = {.options = out_table, .parser = parse};
+
+static const struct argp_child all_children[] = {{&options_pack_argp, 0, NULL, 0},
+                                                 {&options_sizes_argp, 0, NULL, 0},
+                                                 {&options_out_argp, 0, NULL, 0},
+                                                 {NULL, 0, NULL, 0}};
+
+static error_t parse_all(int key, char *argument, struct argp_state *state)
+{
+  if (key == ARGP_KEY_INIT) {
+    options_pass_on(state, state->input, 3);
+    return 0;
+  }
+  return parse(key, argument, state);
+}
+
+const struct argp options_argp = {
+    .options = make_table, .parser = parse_all, .children = all_children};
 const struct argp options_amount_argp = {.options = amount_table, .parser = parse_amount};
+
+/* The parts one after the other where the end of --help is made, else the text as it is. */
+static char *end_help(int key, const char *text, const char *const *parts)
+{
+  char *all = NULL;
+  size_t size = 0;
+  if (key != ARGP_KEY_HELP_POST_DOC)
+    return (char *)(uintptr_t)text;
+  FILE *to = open_memstream(&all, &size);
+  if (!to)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  for (; *parts; parts++)
+    fputs(*parts, to);
+  const int failed = ferror(to);
+  if (fclose(to) != 0 || failed || !all)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  return all;
+}
 
 char *options_add_spec_help(int key, const char *text, void *input)
 {
+  static const char *const parts[] = {spec_domain_help,       "\n", spec_psd_help, "\n",
+                                      spec_maker_status_help, NULL};
   (void)input;
-  return key == ARGP_KEY_HELP_POST_DOC ? strdup(spec_help) : (char *)(uintptr_t)text;
+  return end_help(key, text, parts);
+}
+
+char *options_add_domain_help(int key, const char *text, void *input)
+{
+  static const char *const parts[] = {spec_domain_help, "\n", spec_taker_status_help,
+                                      NULL};
+  (void)input;
+  return end_help(key, text, parts);
+}
+
+char *options_add_taker_help(int key, const char *text, void *input)
+{
+  static const char *const parts[] = {spec_domain_help,       "\n", spec_psd_help, "\n",
+                                      spec_taker_status_help, NULL};
+  (void)input;
+  return end_help(key, text, parts);
+}
+
+void options_report_machine(cJSON *all, const options *o, const packing_context *context)
+{
+  report_add_count(all, "threads", (size_t)packing_context_threads(context));
+  report_add_text(all, "isa", packing_isa_name(packing_context_isa(context)));
+  report_add_real(all, "max_overlap", o->max_overlap);
+}
+
+void options_report_out(cJSON *all, const options *o)
+{
+  report_add_text(all, "colour", colour_name(o->colour));
+  cJSON *list = report_add_list(all, "out");
+  for (size_t i = 0; i < o->out_count; i++)
+    report_append_text(list, o->out[i]);
 }
 
 void options_report(cJSON *all, const options *o, const packing_context *context)
 {
   report_add_u64(all, "seed", o->seed);
   report_add_u64(all, "stream", o->stream);
-  report_add_count(all, "threads", (size_t)packing_context_threads(context));
-  report_add_text(all, "isa", packing_isa_name(packing_context_isa(context)));
-  report_add_real(all, "max_overlap", o->max_overlap);
-  report_add_text(all, "colour", colour_name(o->colour));
-  cJSON *list = report_add_list(all, "out");
-  for (size_t i = 0; i < o->out_count; i++)
-    report_append_text(list, o->out[i]);
+  options_report_machine(all, o, context);
+  options_report_out(all, o);
   report_add_text(all, "plot_sizes", o->plot_sizes);
   report_add_text(all, "report", o->report);
   report_add_flag(all, "quiet", o->quiet);
@@ -289,7 +370,6 @@ static void print_version(FILE *to, struct argp_state *state)
 error_t options_refuse(int key, char *argument, struct argp_state *state)
 {
   if (key == ARGP_KEY_INIT) {
-    state->child_inputs[0] = state->input;
     /* getopt's line says what is wrong; argp's second line would only point at --help. */
     state->err_stream = NULL;
     return 0;
@@ -299,13 +379,24 @@ error_t options_refuse(int key, char *argument, struct argp_state *state)
   return ARGP_ERR_UNKNOWN;
 }
 
-int options_parse(const struct argp *own, int argc, char **argv, void *input)
+static int parse_line(const struct argp *own, int argc, char **argv, unsigned flags,
+                      void *input)
 {
   argp_program_version_hook = print_version;
-  const error_t error = argp_parse(own, argc, argv, 0, NULL, input);
+  const error_t error = argp_parse(own, argc, argv, flags, NULL, input);
   if (error == ENOMEM)
     return program_fail(PROGRAM_SYSTEM, "out of memory");
   return error == 0 ? 0 : PROGRAM_BAD_INPUT;
+}
+
+int options_parse(const struct argp *own, int argc, char **argv, void *input)
+{
+  return parse_line(own, argc, argv, 0, input);
+}
+
+int options_parse_in_order(const struct argp *own, int argc, char **argv, void *input)
+{
+  return parse_line(own, argc, argv, ARGP_IN_ORDER, input);
 }
 
 void options_init(options *o)

@@ -11,11 +11,12 @@
 #include "output.h"
 
 typedef struct options {
-  const char *domain;    /* NULL: not given */
-  const char *psd;       /* NULL: not given */
-  size_t count;          /* 0: not given */
-  double mass;           /* NaN: not given */
-  double density;        /* [M L^-3], default 1000 */
+  const char *domain; /* NULL: not given */
+  const char *psd;    /* NULL: not given */
+  size_t count;       /* 0: not given */
+  double mass;        /* NaN: not given */
+  double density;     /* [M L^-3], default 1000 */
+  int density_given;
   double porosity;       /* NaN: not given */
   uint64_t seed, stream; /* default 1, 0 */
   int threads;           /* 0: all cores */
@@ -33,23 +34,43 @@ typedef struct options {
 void options_init(options *o);
 void options_free(options *o);
 
+/* All of them, for programs that make packs. */
 extern const struct argp options_argp;
+
+/* The parts of it, for programs that take packs: container, threads, audit, report; --psd; how
+ * packs are written. */
+extern const struct argp options_pack_argp;
+extern const struct argp options_sizes_argp;
+extern const struct argp options_out_argp;
+
+/* Hands `o` down to so many children; for ARGP_KEY_INIT. */
+void options_pass_on(struct argp_state *state, options *o, size_t children);
 
 /* Beside it for programs that can be told how much: --count, --mass, --target-porosity. */
 extern const struct argp options_amount_argp;
 
 /* Parses the whole command line with a program's own argp; returns 0 or exit code 2. `input`
- * goes to the program's parser, which hands an `options` to its first child. */
+ * goes to the program's parser, which hands an `options` to its children. */
 int options_parse(const struct argp *own, int argc, char **argv, void *input);
+
+/* The same, plain arguments coming to the parser where they stand among the options. */
+int options_parse_in_order(const struct argp *own, int argc, char **argv, void *input);
 
 /* The parser of a program without options of its own; others call it for what they do not
  * know. Plain arguments are refused. */
 error_t options_refuse(int key, char *argument, struct argp_state *state);
 
-/* A help filter that ends --help with the little language of --domain and --psd. */
+/* A help filter that ends --help with the little language of --domain and --psd, one of --domain
+ * alone, and one of both for programs that judge no pack. */
 char *options_add_spec_help(int key, const char *text, void *input);
+char *options_add_domain_help(int key, const char *text, void *input);
+char *options_add_taker_help(int key, const char *text, void *input);
 
-/* Adds what all programs share to the options of a report. */
+/* Adds threads, instruction set and audit to the options of a report; then the ways out. */
+void options_report_machine(cJSON *all, const options *o, const packing_context *context);
+void options_report_out(cJSON *all, const options *o);
+
+/* Adds all that makers of packs share. */
 void options_report(cJSON *all, const options *o, const packing_context *context);
 
 /* The names of colour_by. */

@@ -150,6 +150,8 @@ void outline_trace(const domain_spec *spec, packing_vec3 toward, outline_piece p
 {
   const tracer t = {spec, toward, piece, user};
   switch (spec->kind) {
+  case DOMAIN_NONE:
+    break;
   case DOMAIN_BOX:
   case DOMAIN_RECT:
     trace_box(&t);

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <libgen.h>
 #include <limits.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,104 +11,11 @@
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
-#include "picture.h"
 #include "program.h"
 
 enum { REASON_SIZE = 512 };
 
-const char output_formats[] = "csv, vtp, lammps, liggghts, yade, xyz, png, svg";
-
-static packing_status write_csv(const pack *p, const packing_stream *stream)
-{
-  packing_csv_def def;
-  packing_csv_def_init(&def);
-  def.dim = p->spec->dim;
-  def.note_count = p->notes.count;
-  def.keys = p->notes.keys;
-  def.values = (const char *const *)p->notes.values;
-  return packing_write_csv(p->context, &def, &p->view, stream);
-}
-
-static packing_status write_vtp(const pack *p, const packing_stream *stream)
-{
-  return packing_write_vtp(p->context, NULL, &p->view, stream);
-}
-
-/* The coordinate along which an open top is open. */
-static double *upward(const pack *p, packing_vec3 *v)
-{
-  if (p->spec->axis == PACKING_AXIS_X)
-    return &v->x;
-  return p->spec->dim == 2 || p->spec->axis == PACKING_AXIS_Y ? &v->y : &v->z;
-}
-
-/* The container's box, and above an open top as far as particles stand out. */
-static packing_bounds file_box(const pack *p)
-{
-  packing_bounds box;
-  packing_domain_bounds(p->domain, &box);
-  double *end = upward(p, &box.hi);
-  for (size_t i = 0; p->spec->open_top && i < p->view.count; i++) {
-    packing_vec3 centre = pack_centre(p, i);
-    *end = fmax(*end, *upward(p, &centre) + pack_radius(p, i));
-  }
-  return box;
-}
-
-static packing_status write_lammps(const pack *p, const packing_stream *stream)
-{
-  packing_lammps_def def;
-  packing_lammps_def_init(&def);
-  def.dim = p->spec->dim;
-  def.density = p->density;
-  def.box = file_box(p);
-  return packing_write_lammps(p->context, &def, &p->view, stream);
-}
-
-static packing_status write_yade(const pack *p, const packing_stream *stream)
-{
-  return packing_write_yade(p->context, NULL, &p->view, stream);
-}
-
-static packing_status write_xyz(const pack *p, const packing_stream *stream)
-{
-  packing_xyz_def def;
-  packing_xyz_def_init(&def);
-  def.periodic = packing_domain_periodic(p->domain);
-  def.box = file_box(p);
-  return packing_write_xyz(p->context, &def, &p->view, stream);
-}
-
-static packing_status write_report(const pack *p, const packing_stream *stream)
-{
-  return stream->write(stream->user, p->report, strlen(p->report));
-}
-
-typedef struct format {
-  const char *name;
-  const char *extension; /* NULL: by name only */
-  pack_writer write;
-} format;
-
-static const format pack_formats[] = {
-    {"csv", ".csv", write_csv},
-    {"vtp", ".vtp", write_vtp},
-    {"lammps", ".data", write_lammps},
-    {"liggghts", NULL, write_lammps},
-    {"yade", NULL, write_yade},
-    {"xyz", ".xyz", write_xyz},
-    {"png", ".png", picture_write_png},
-    {"svg", ".svg", picture_write_svg},
-    {NULL, NULL, NULL},
-};
-
-static const format sizes_formats[] = {
-    {"png", ".png", picture_write_sizes_png},
-    {"svg", ".svg", picture_write_sizes_svg},
-    {NULL, NULL, NULL},
-};
-
-static output *add(outputs *all, const char *option, const char *text, const char *path)
+output *outputs_add(outputs *all, const char *option, const char *text, const char *path)
 {
   struct stat there;
   all->items = program_take_more(all->items, all->count + 1, sizeof *all->items);
@@ -121,92 +27,6 @@ static output *add(outputs *all, const char *option, const char *text, const cha
       .in_place = stat(path, &there) == 0 && !S_ISREG(there.st_mode),
   };
   return made;
-}
-
-static int has_extension(const char *path, const char *extension)
-{
-  const size_t all = strlen(path), end = strlen(extension);
-  return all > end && strcmp(path + all - end, extension) == 0 &&
-         path[all - end - 1] != '/';
-}
-
-/* A file name with a colon in it needs a slash before: ./a:b.csv. */
-static size_t prefix_length(const char *text)
-{
-  const size_t length = strspn(text, "abcdefghijklmnopqrstuvwxyz0123456789_-");
-  return text[length] == ':' ? length : 0;
-}
-
-static int add_by_name(outputs *all, const char *option, const char *text)
-{
-  const size_t length = prefix_length(text);
-  for (const format *f = pack_formats; f->name; f++)
-    if (strlen(f->name) == length && strncmp(f->name, text, length) == 0) {
-      if (!text[length + 1])
-        return program_fail(PROGRAM_BAD_INPUT, "%s: a file name is missing after '%s'",
-                            option, text);
-      add(all, option, text, text + length + 1)->write = f->write;
-      return 0;
-    }
-  return program_fail(PROGRAM_BAD_INPUT, "%s: unknown format '%.*s'; known are %s",
-                      option, (int)length, text, output_formats);
-}
-
-/* The format of a path, NULL after a line about what is wrong with it. */
-static const format *format_of(const char *option, const char *path,
-                               const format *formats, const char *known)
-{
-  for (const format *f = formats; f->name; f++)
-    if (f->extension && has_extension(path, f->extension))
-      return f;
-  program_fail(PROGRAM_BAD_INPUT, "%s: '%s' has none of the extensions %s", option, path,
-               known);
-  return NULL;
-}
-
-int outputs_add_pack(outputs *all, const char *option, const char *text)
-{
-  if (prefix_length(text))
-    return add_by_name(all, option, text);
-  const format *f =
-      format_of(option, text, pack_formats,
-                ".csv .vtp .data .xyz .png .svg, and no FORMAT: is before it");
-  if (!f)
-    return PROGRAM_BAD_INPUT;
-  add(all, option, text, text)->write = f->write;
-  return 0;
-}
-
-int outputs_add_sizes(outputs *all, const char *option, const char *path)
-{
-  const format *f = format_of(option, path, sizes_formats, ".png .svg");
-  if (!f)
-    return PROGRAM_BAD_INPUT;
-  add(all, option, path, path)->write = f->write;
-  return 0;
-}
-
-int outputs_add_sheet(outputs *all, const char *option, const char *path)
-{
-  static const format formats[] = {
-      {"png", ".png", NULL}, {"svg", ".svg", NULL}, {NULL, NULL, NULL}};
-  const format *f = format_of(option, path, formats, ".png .svg");
-  if (!f)
-    return PROGRAM_BAD_INPUT;
-  output *made = add(all, option, path, path);
-  made->write_all = f == formats ? picture_write_sheet_png : picture_write_sheet_svg;
-  made->shared = 1;
-  return 0;
-}
-
-int outputs_add_report(outputs *all, const char *option, const char *path)
-{
-  if (!*path)
-    return program_fail(PROGRAM_BAD_INPUT, "%s: a file name is missing", option);
-  output *made = add(all, option, path, path);
-  made->write = write_report;
-  made->shared = 1;
-  return 0;
 }
 
 /* "a.csv" becomes "a-2-3.csv" for set 2, pack 3; without a set "a-3.csv". */
@@ -241,7 +61,8 @@ static int number_one(outputs *to, const output *one, size_t sets, size_t packs)
                         one->option, one->path, sets * packs);
   for (size_t i = 0; i < sets * packs; i++) {
     char *path = numbered(one->path, sets > 1 ? i / packs + 1 : 0, i % packs + 1);
-    output *made = add(to, one->option, one->text, path);
+    output *made = outputs_add(to, one->option, one->text, path);
+    made->format = one->format;
     made->write = one->write;
     made->pack = i;
     free(path);
@@ -263,7 +84,7 @@ int outputs_number(outputs *all, size_t sets, size_t packs)
       code = number_one(all, one, sets, packs);
       continue;
     }
-    output *kept = add(all, one->option, one->text, one->path);
+    output *kept = outputs_add(all, one->option, one->text, one->path);
     kept->write = one->write;
     kept->write_all = one->write_all;
     kept->shared = 1;
@@ -344,6 +165,8 @@ int outputs_check(const outputs *all, packing_context *context, const input_file
   for (size_t i = 0; i < all->count && !code; i++) {
     code = check_names(all, i, inputs);
     if (!code)
+      code = output_check_format(all, &all->items[i]);
+    if (!code)
       code = check_place(&all->items[i], context);
   }
   return code;
@@ -403,7 +226,7 @@ static int await_reader(const output *out)
   return fd;
 }
 
-static int write_one(output *out, const pack *packs, size_t count)
+static int write_one(const outputs *all, output *out, const pack *packs, size_t count)
 {
   const pack *p = &packs[out->pack];
   const int fd = await_reader(out);
@@ -416,8 +239,9 @@ static int write_one(output *out, const pack *packs, size_t count)
     return file_status(out, p, status);
   passage way = {.context = p->context, .inner = packing_file_stream(out->file)};
   const packing_stream stream = {.write = write_on, .user = &way};
-  status =
-      out->write_all ? out->write_all(packs, count, &stream) : out->write(p, &stream);
+  status = out->write_all ? out->write_all(packs, count, &stream)
+           : out->format  ? output_write_format(all, out, p, &stream)
+                          : out->write(p, &stream);
   return status == PACKING_OK ? 0 : output_status(out, p, status, way.reason);
 }
 
@@ -448,7 +272,7 @@ int outputs_write(outputs *all, const pack *packs, size_t count,
 {
   int code = interrupted() ? program_interrupted() : 0;
   for (size_t i = 0; i < all->count && !code; i++)
-    code = write_one(&all->items[i], packs, count);
+    code = write_one(all, &all->items[i], packs, count);
   /* What cannot be taken back comes first, so that its failure leaves no other file. */
   if (!code)
     code = commit(all, packs, 1);

@@ -18,6 +18,7 @@ typedef struct output {
   const char *text;   /* as typed */
   char *path;
   char *real; /* one name for the place, however it is typed; NULL: not yet known */
+  const char *format; /* of the library; NULL: none of its, then: */
   pack_writer write;
   sheet_writer write_all; /* in place of `write` */
   int shared;             /* one for all packs, as the report is */
@@ -35,6 +36,9 @@ typedef struct outputs {
  * an exit code after one line on standard error. */
 int outputs_add_pack(outputs *all, const char *option, const char *text);
 
+/* Adds a file of a program's own making. `option` and `text` say what was typed. */
+output *outputs_add(outputs *all, const char *option, const char *text, const char *path);
+
 /* Adds the plot of sizes, by extension .png or .svg. */
 int outputs_add_sizes(outputs *all, const char *option, const char *path);
 
@@ -49,7 +53,8 @@ int outputs_add_sheet(outputs *all, const char *option, const char *path);
  * pack keeps the names as they are. */
 int outputs_number(outputs *all, size_t sets, size_t packs);
 
-/* Before the work: every place can be written, none is named twice or is an input. */
+/* Before the work: every place can be written, none is named twice or is an input, and what a
+ * deck loads is written beside it. */
 int outputs_check(const outputs *all, packing_context *context,
                   const input_files *inputs);
 
@@ -58,9 +63,14 @@ int outputs_check(const outputs *all, packing_context *context,
 int outputs_write(outputs *all, const pack *packs, size_t count,
                   const char *standard_output);
 
+/* Of one output, for these: whether its format has all it needs, and writing it. */
+int output_check_format(const outputs *all, const output *out);
+packing_status output_write_format(const outputs *all, const output *out, const pack *p,
+                                   const packing_stream *stream);
+
 void outputs_free(outputs *all);
 
-/* "csv, vtp, ..." for --help. */
-extern const char output_formats[];
+/* What --help says of --out. */
+extern const char output_help[];
 
 #endif

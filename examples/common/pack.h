@@ -22,17 +22,29 @@ void notes_free(notes *all);
 
 typedef struct pack {
   packing_context *context;
-  const domain_spec *spec;
-  packing_domain *domain;
-  const char *psd_text;
-  packing_psd *psd;
+  const domain_spec *spec; /* of kind DOMAIN_NONE where there is no container */
+  packing_domain *domain;  /* NULL: the same */
+  const char *psd_text;    /* NULL: not asked for */
+  packing_psd *psd;        /* NULL: the same */
   packing_view view;
+  const packing_bond *bonds; /* pairs of the view's indices, or NULL */
+  size_t bond_count;
   double density;         /* of the particles */
   double volume_fraction; /* NaN where unknown */
   colour_by colour;
   notes notes;
   const char *report; /* the JSON text */
+  const void *own;    /* what a program's own writers want beside */
 } pack;
+
+/* The parts of the mixture; without one 1. */
+size_t pack_components(const pack *p);
+
+/* The smallest and the largest radius asked for, or else those there are; 0 of none. */
+void pack_radii(const pack *p, double *lo, double *hi);
+
+/* Around the container, or else around the particles. */
+void pack_bounds(const pack *p, packing_bounds *bounds);
 
 /* Numbers of particle i. */
 static inline double pack_number(const packing_column *column, size_t i)
@@ -45,8 +57,9 @@ static inline size_t pack_component(const pack *p, size_t i)
   const packing_column *c = &p->view.component;
   if (!c->data)
     return 0;
-  return (size_t) *
-         (const int32_t *)(const void *)((const char *)c->data + i * c->stride);
+  const int32_t part =
+      *(const int32_t *)(const void *)((const char *)c->data + i * c->stride);
+  return part < 0 ? 0 : (size_t)part;
 }
 
 static inline packing_vec3 pack_centre(const pack *p, size_t i)

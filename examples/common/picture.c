@@ -16,17 +16,20 @@ enum {
 
 void picture_caption(char *line, size_t size, const pack *p)
 {
-  char count[40];
+  char count[40], fraction[40] = "";
   canvas_format_count(count, sizeof count, p->view.count);
-  snprintf(line, size, "%s %s, volume fraction %.4f", count,
-           p->view.count == 1 ? "particle" : "particles",
-           isnan(p->volume_fraction) ? 0 : p->volume_fraction);
+  if (p->domain)
+    snprintf(fraction, sizeof fraction, ", volume fraction %.4f",
+             isnan(p->volume_fraction) ? 0 : p->volume_fraction);
+  snprintf(line, size, "%s %s%s", count, p->view.count == 1 ? "particle" : "particles",
+           fraction);
 }
 
 void picture_draw_asked(canvas *sheet, const pack *p, double x, double y, double width)
 {
   char line[320];
-  snprintf(line, sizeof line, "%s   %s", p->spec->text, p->psd_text);
+  snprintf(line, sizeof line, "%s   %s", p->spec->text ? p->spec->text : "",
+           p->psd_text ? p->psd_text : "");
   cairo_set_source_rgb(sheet->cr, 0.4, 0.4, 0.43);
   canvas_text_fit(sheet, x, y, 16, width, line);
 }

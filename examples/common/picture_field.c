@@ -55,6 +55,8 @@ void picture_frame_init(picture_frame *f, const pack *packs, size_t count, int l
   for (const pack *p = packs; p < packs + count; p++)
     for (size_t i = 0; i < p->view.count; i++)
       widen(&e, pack_centre(p, i), pack_radius(p, i));
+  if (!(e.hi[0] > e.lo[0])) /* neither a container nor a particle */
+    e = (extent){.camera = &f->camera, .hi = {1, 1}};
   const double w = e.hi[0] - e.lo[0], h = e.hi[1] - e.lo[1];
   f->camera.scale = longest / fmax(w, h);
   f->width = (int)ceil(w * f->camera.scale) + 4;

@@ -1,47 +1,45 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cumulative size curves over the diameter, asked and placed, by mass and by number. */
+/* Sizes asked and placed, over the diameter: cumulative curves by mass and by number, and below
+ * them both histograms, of a mixture component by component. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include "axis.h"
-#include "canvas.h"
-#include "colours.h"
+#include "panel.h"
 #include "picture.h"
 
 enum {
   WIDTH = 1000,
-  HEIGHT = 640,
+  HEIGHT = 1000,
   LEFT = 92,
   RIGHT = 30,
   TOP = 66,
-  BOTTOM = 78,
-  POINTS = 500 /* of each curve */
+  SPLIT = 560,    /* where the curves end, */
+  BELOW = 656,    /* and the histograms begin */
+  BOTTOM = 74,    /* below all */
+  GAP = 92,       /* between the histograms */
+  LEGEND = 30,    /* above a panel */
+  POINTS = 501,   /* of each curve */
+  BINS = 31,      /* of each histogram */
+  COMPONENTS = 64 /* told apart; all others are the last */
 };
-
-static const rgb MASS = {0.000, 0.447, 0.698}, NUMBER = {0.835, 0.369, 0.000};
 
 typedef struct plot {
   const pack *p;
   canvas sheet;
-  axis x, y;
+  panel curves;
+  size_t components;
   double *r;    /* radii placed, rising */
   double *mass; /* of the particles up to each */
 } plot;
-
-static double across(const plot *g, double diameter)
-{
-  return LEFT + (WIDTH - LEFT - RIGHT) * axis_place(&g->x, diameter);
-}
-
-static double upward(const plot *g, double percent)
-{
-  return HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * axis_place(&g->y, percent);
-}
 
 static int rising(const void *a, const void *b)
 {
   const double p = *(const double *)a, q = *(const double *)b;
   return p < q ? -1 : p > q;
+}
+
+static double mass_of(const plot *g, double r)
+{
+  return g->p->spec->dim == 2 ? r * r : r * r * r;
 }
 
 static packing_status sort_radii(plot *g)
@@ -56,7 +54,7 @@ static packing_status sort_radii(plot *g)
   qsort(g->r, count, sizeof *g->r, rising);
   double sum = 0;
   for (size_t i = 0; i < count; i++) {
-    sum += pow(g->r[i], g->p->spec->dim);
+    sum += mass_of(g, g->r[i]);
     g->mass[i] = sum;
   }
   return PACKING_OK;
@@ -81,98 +79,37 @@ static double placed(const plot *g, packing_by by, double r)
   return g->mass[lo - 1] / g->mass[g->p->view.count - 1];
 }
 
-static void trace(plot *g, packing_by by, int asked)
+static double share(const plot *g, packing_by by, int asked, double diameter)
 {
-  for (int k = 0; k <= POINTS; k++) {
-    const double d = axis_value(&g->x, (double)k / POINTS);
-    const double share =
-        asked ? packing_psd_cdf(g->p->psd, by, 0.5 * d) : placed(g, by, 0.5 * d);
-    cairo_line_to(g->sheet.cr, across(g, d), upward(g, 100 * share));
-  }
+  const double r = 0.5 * diameter;
+  return 100 * (asked ? packing_psd_cdf(g->p->psd, by, r) : placed(g, by, r));
 }
+
+/* ---- the curves ---- */
 
 /* Asked: a broad pale line; placed: a thin strong one upon it. */
-static void style(plot *g, packing_by by, int asked)
+static rgb colour_of(packing_by by, int asked)
 {
-  rgb colour = by == PACKING_BY_MASS ? MASS : NUMBER;
-  if (asked)
-    colour = rgb_mix(colour, (rgb){1, 1, 1}, 0.6);
-  cairo_set_source_rgb(g->sheet.cr, colour.r, colour.g, colour.b);
-  cairo_set_line_width(g->sheet.cr, asked ? 8 : 2);
-  cairo_set_line_join(g->sheet.cr, CAIRO_LINE_JOIN_ROUND);
+  const rgb strong = by == PACKING_BY_MASS ? PANEL_BLUE : PANEL_ORANGE;
+  return asked ? rgb_mix(strong, (rgb){1, 1, 1}, 0.6) : strong;
 }
 
-static void draw_curves(plot *g)
+static double width_of(int asked)
 {
-  cairo_save(g->sheet.cr);
-  cairo_rectangle(g->sheet.cr, LEFT, TOP - 4, WIDTH - LEFT - RIGHT,
-                  HEIGHT - TOP - BOTTOM + 8);
-  cairo_clip(g->sheet.cr);
-  for (int asked = 1; asked >= 0; asked--)
-    for (int by = PACKING_BY_NUMBER; by <= PACKING_BY_MASS; by++) {
-      cairo_new_path(g->sheet.cr);
-      style(g, (packing_by)by, asked);
-      trace(g, (packing_by)by, asked);
-      cairo_stroke(g->sheet.cr);
-    }
-  cairo_restore(g->sheet.cr);
+  return asked ? 8 : 2;
 }
 
-static void grey(plot *g, double level)
+static void draw_curve(const plot *g, packing_by by, int asked)
 {
-  cairo_set_source_rgb(g->sheet.cr, level, level, level);
-}
-
-static void line(plot *g, double x0, double y0, double x1, double y1)
-{
-  cairo_move_to(g->sheet.cr, x0, y0);
-  cairo_line_to(g->sheet.cr, x1, y1);
-  cairo_stroke(g->sheet.cr);
-}
-
-static void draw_x_axis(plot *g)
-{
-  for (size_t k = 0; k < g->x.count; k++) {
-    char label[32];
-    const double at = floor(across(g, g->x.tick[k])) + 0.5;
-    grey(g, 0.88);
-    line(g, at, TOP, at, HEIGHT - BOTTOM);
-    grey(g, 0.2);
-    snprintf(label, sizeof label, "%.6g", g->x.tick[k]);
-    canvas_text(&g->sheet, at, HEIGHT - BOTTOM + 26, 17, 0, ALIGN_MIDDLE, label);
+  double d[POINTS], percent[POINTS];
+  for (int k = 0; k < POINTS; k++) {
+    d[k] = axis_value(&g->curves.x, (double)k / (POINTS - 1));
+    percent[k] = share(g, by, asked, d[k]);
   }
-  canvas_text(&g->sheet, 0.5 * (LEFT + WIDTH - RIGHT), HEIGHT - 18, 18, 0, ALIGN_MIDDLE,
-              "diameter");
+  panel_curve(&g->curves, d, percent, POINTS, colour_of(by, asked), width_of(asked));
 }
 
-static void draw_y_axis(plot *g)
-{
-  for (size_t k = 0; k < g->y.count; k++) {
-    char label[32];
-    const double at = floor(upward(g, g->y.tick[k])) + 0.5;
-    grey(g, 0.88);
-    line(g, LEFT, at, WIDTH - RIGHT, at);
-    grey(g, 0.2);
-    snprintf(label, sizeof label, "%.6g", g->y.tick[k]);
-    canvas_text(&g->sheet, LEFT - 10, at + 6, 17, 0, ALIGN_RIGHT, label);
-  }
-  cairo_save(g->sheet.cr);
-  cairo_translate(g->sheet.cr, 28, 0.5 * (TOP + HEIGHT - BOTTOM));
-  cairo_rotate(g->sheet.cr, -M_PI / 2);
-  canvas_text(&g->sheet, 0, 0, 18, 0, ALIGN_MIDDLE, "smaller, %");
-  cairo_restore(g->sheet.cr);
-}
-
-static void draw_frame(plot *g)
-{
-  grey(g, 0.2);
-  cairo_set_line_width(g->sheet.cr, 1);
-  cairo_rectangle(g->sheet.cr, LEFT + 0.5, TOP + 0.5, WIDTH - LEFT - RIGHT,
-                  HEIGHT - TOP - BOTTOM);
-  cairo_stroke(g->sheet.cr);
-}
-
-static void draw_legend(plot *g)
+static void draw_curves_legend(plot *g)
 {
   static const struct {
     const char *text;
@@ -182,44 +119,184 @@ static void draw_legend(plot *g)
               {"by mass, placed", PACKING_BY_MASS, 0},
               {"by number, asked", PACKING_BY_NUMBER, 1},
               {"by number, placed", PACKING_BY_NUMBER, 0}};
-  for (int k = 0; k < 4; k++) {
-    const double x = LEFT + 4 + 218 * k, y = TOP - 24;
-    style(g, rows[k].by, rows[k].asked);
-    line(g, x, y - 5, x + 36, y - 5);
-    grey(g, 0.2);
-    canvas_text(&g->sheet, x + 46, y, 17, 0, ALIGN_LEFT, rows[k].text);
+  double x = LEFT + 4;
+  for (int k = 0; k < 4; k++)
+    if (g->p->psd || !rows[k].asked)
+      x = panel_legend(&g->sheet, x, TOP - LEGEND + 6,
+                       colour_of(rows[k].by, rows[k].asked), width_of(rows[k].asked),
+                       rows[k].text);
+}
+
+static void draw_curves(plot *g)
+{
+  panel_grid(&g->curves, "diameter", "smaller, %");
+  panel_clip(&g->curves);
+  for (int asked = g->p->psd != NULL; asked >= 0; asked--)
+    for (int by = PACKING_BY_NUMBER; by <= PACKING_BY_MASS; by++)
+      draw_curve(g, (packing_by)by, asked);
+  panel_unclip(&g->curves);
+  panel_frame(&g->curves);
+  draw_curves_legend(g);
+}
+
+/* ---- the histograms ---- */
+
+typedef struct histogram {
+  packing_by by;
+  panel where;
+  double edge[BINS + 1]; /* diameters */
+  double (*got)[BINS];   /* of each component, in percent of all */
+  double asked[BINS];
+} histogram;
+
+static size_t bin_of(const histogram *h, double diameter)
+{
+  const double at = ceil(BINS * axis_place(&h->where.x, diameter)) - 1;
+  return at <= 0 ? 0 : at >= BINS - 1 ? BINS - 1 : (size_t)at;
+}
+
+static void count_placed(const plot *g, histogram *h)
+{
+  const size_t count = g->p->view.count;
+  const double all = h->by == PACKING_BY_NUMBER ? (double)count
+                     : count                    ? g->mass[count - 1]
+                                                : 1;
+  for (size_t i = 0; i < count; i++) {
+    const double r = pack_radius(g->p, i);
+    const size_t k = pack_component(g->p, i);
+    const double weight = h->by == PACKING_BY_NUMBER ? 1 : mass_of(g, r);
+    h->got[k < g->components ? k : g->components - 1][bin_of(h, 2 * r)] +=
+        100 * weight / all;
   }
+}
+
+static double fill_histogram(const plot *g, histogram *h)
+{
+  double highest = 0;
+  for (int b = 0; b <= BINS; b++)
+    h->edge[b] = axis_value(&g->curves.x, (double)b / BINS);
+  count_placed(g, h);
+  for (int b = 0; b < BINS; b++) {
+    double sum = 0;
+    for (size_t k = 0; k < g->components; k++)
+      sum += h->got[k][b];
+    h->asked[b] =
+        g->p->psd ? share(g, h->by, 1, h->edge[b + 1]) - share(g, h->by, 1, h->edge[b])
+                  : 0;
+    highest = fmax(highest, fmax(sum, h->asked[b]));
+  }
+  return highest;
+}
+
+static rgb bar_colour(const plot *g, const histogram *h, size_t component)
+{
+  return g->components > 1 ? colours_category(component)
+                           : rgb_mix(colour_of(h->by, 0), (rgb){1, 1, 1}, 0.25);
+}
+
+static void draw_bars(const plot *g, const histogram *h)
+{
+  for (int b = 0; b < BINS; b++) {
+    double low = 0;
+    for (size_t k = 0; k < g->components; k++) {
+      const double high = low + h->got[k][b];
+      if (high > low)
+        panel_bar(&h->where, h->edge[b], h->edge[b + 1], low, high, bar_colour(g, h, k));
+      low = high;
+    }
+  }
+}
+
+static void draw_asked_steps(const histogram *h)
+{
+  static const rgb black = {0.1, 0.1, 0.12};
+  double x[2 * BINS + 2], y[2 * BINS + 2];
+  size_t n = 0;
+  for (int b = 0; b <= BINS; b++) {
+    x[n] = x[n + 1] = h->edge[b];
+    y[n] = b > 0 ? h->asked[b - 1] : 0;
+    y[n + 1] = b < BINS ? h->asked[b] : 0;
+    n += 2;
+  }
+  panel_curve(&h->where, x, y, n, black, 1.6);
+}
+
+static packing_status draw_histogram(plot *g, packing_by by, double left, double right)
+{
+  histogram h = {.by = by};
+  h.got = calloc(g->components, sizeof *h.got);
+  if (!h.got)
+    return PACKING_ERR_NOMEM;
+  h.where = (panel){.sheet = &g->sheet,
+                    .x = g->curves.x,
+                    .left = left,
+                    .right = right,
+                    .top = BELOW,
+                    .bottom = HEIGHT - BOTTOM};
+  axis_thin(&h.where.x);
+  axis_init(&h.where.y, 0, fmax(1.06 * fill_histogram(g, &h), 1e-3), 0);
+  panel_grid(&h.where, "diameter",
+             by == PACKING_BY_MASS ? "share of the mass, %" : "share of the number, %");
+  panel_clip(&h.where);
+  draw_bars(g, &h);
+  if (g->p->psd)
+    draw_asked_steps(&h);
+  panel_unclip(&h.where);
+  panel_frame(&h.where);
+  free(h.got);
+  return PACKING_OK;
+}
+
+static packing_status draw_histograms(plot *g)
+{
+  const double middle = 0.5 * (LEFT + WIDTH - RIGHT);
+  const packing_status status =
+      draw_histogram(g, PACKING_BY_NUMBER, LEFT, middle - 0.5 * GAP);
+  if (status != PACKING_OK)
+    return status;
+  return draw_histogram(g, PACKING_BY_MASS, middle + 0.5 * GAP, WIDTH - RIGHT);
 }
 
 /* The ends of the law and of what stands in the pack, a little wider. */
 static void set_axes(plot *g)
 {
-  double lo = packing_psd_min_r(g->p->psd), hi = packing_psd_max_r(g->p->psd);
-  if (g->p->view.count > 0) {
+  const size_t count = g->p->view.count;
+  double lo = (double)INFINITY, hi = 0;
+  if (g->p->psd) {
+    lo = packing_psd_min_r(g->p->psd);
+    hi = packing_psd_max_r(g->p->psd);
+  }
+  if (count > 0) {
     lo = fmin(lo, g->r[0]);
-    hi = fmax(hi, g->r[g->p->view.count - 1]);
+    hi = fmax(hi, g->r[count - 1]);
   }
   const double room = hi > lo ? pow(hi / lo, 0.03) : 1;
-  axis_init(&g->x, 2 * lo / room, 2 * hi * room, 1);
-  axis_init(&g->y, 0, 100, 0);
+  if (hi > 0)
+    axis_init(&g->curves.x, 2 * lo / room, 2 * hi * room, 1);
+  else
+    axis_init(&g->curves.x, 0, 1, 0);
+  axis_init(&g->curves.y, 0, 100, 0);
 }
 
 static packing_status draw(plot *g, const packing_stream *stream, int svg)
 {
-  const packing_status status = canvas_open(&g->sheet, stream, svg, WIDTH, HEIGHT);
-  cairo_set_line_width(g->sheet.cr, 1);
-  draw_x_axis(g);
-  draw_y_axis(g);
+  packing_status status = canvas_open(&g->sheet, stream, svg, WIDTH, HEIGHT);
+  g->curves.sheet = &g->sheet;
   draw_curves(g);
-  draw_frame(g);
-  draw_legend(g);
+  if (status == PACKING_OK)
+    status = draw_histograms(g);
   const packing_status closed = canvas_close(&g->sheet);
   return status != PACKING_OK ? status : closed;
 }
 
 static packing_status write_plot(const pack *p, const packing_stream *stream, int svg)
 {
-  plot g = {.p = p};
+  plot g = {
+      .p = p,
+      .curves = {.left = LEFT, .right = WIDTH - RIGHT, .top = TOP, .bottom = SPLIT}};
+  g.components = pack_components(p);
+  if (g.components > COMPONENTS)
+    g.components = COMPONENTS;
   packing_status status = sort_radii(&g);
   if (status == PACKING_OK) {
     set_axes(&g);

@@ -43,6 +43,10 @@ int number_positive(const char *where, const char *text, double *value);
 int number_whole(const char *where, const char *text, uint64_t least, uint64_t most,
                  uint64_t *value);
 
+/* The shortest text that reads back as the number: 15 to 17 digits. */
+enum { NUMBER_TEXT = 32 };
+void number_text(char text[NUMBER_TEXT], double value);
+
 /* Seconds on a clock that never jumps. */
 double program_seconds(void);
 

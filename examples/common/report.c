@@ -97,6 +97,58 @@ cJSON *report_add_object(cJSON *object, const char *key)
   return made;
 }
 
+void report_add_item(cJSON *object, const char *key, cJSON *item)
+{
+  if (!item)
+    report_add_text(object, key, NULL);
+  else
+    check(cJSON_AddItemToObject(object, key, item) ? item : NULL);
+}
+
+void report_append_item(cJSON *list, cJSON *item)
+{
+  check(cJSON_AddItemToArray(list, item) ? item : NULL);
+}
+
+static void fill_reals(cJSON *list, const double *values, size_t count)
+{
+  for (size_t i = 0; i < count; i++)
+    report_append_real(list, values[i]);
+}
+
+void report_add_reals(cJSON *object, const char *key, const double *values, size_t count)
+{
+  fill_reals(report_add_list(object, key), values, count);
+}
+
+static void add_tensor(cJSON *object, const report_fabric *fabric)
+{
+  cJSON *rows = report_add_list(object, "tensor");
+  for (int i = 0; i < fabric->dim; i++) {
+    cJSON *row = cJSON_CreateArray();
+    check(row);
+    report_append_item(rows, row);
+    fill_reals(row, fabric->tensor[i], (size_t)fabric->dim);
+  }
+}
+
+void report_add_fabric(cJSON *object, const char *key, const report_fabric *fabric)
+{
+  cJSON *made = report_add_object(object, key);
+  const int known = fabric->known && fabric->count > 0;
+  if (known)
+    report_add_reals(made, "eigenvalues", fabric->eigenvalues, (size_t)fabric->dim);
+  else
+    report_add_text(made, "eigenvalues", NULL);
+  report_add_real(made, "sd", known ? fabric->sd : (double)NAN);
+  if (known)
+    add_tensor(made, fabric);
+  else
+    report_add_text(made, "tensor", NULL);
+  report_add_count(made, "contacts", fabric->known ? fabric->count : REPORT_NONE);
+  report_add_real(made, "noise_floor", known ? fabric->noise_floor : (double)NAN);
+}
+
 static void add_input(cJSON *root, const input_files *files)
 {
   if (!files || files->count == 0) {
@@ -145,10 +197,7 @@ static void add_structure(cJSON *root, const report *r)
   report_add_count(coordination, "rattlers", r->rattlers);
   add_histogram(coordination, r);
   report_add_real(coordination, "tolerance", r->coordination_tolerance);
-  /* The library has no fabric measure yet. */
-  cJSON *fabric = report_add_object(root, "fabric");
-  report_add_text(fabric, "eigenvalues", NULL);
-  report_add_text(fabric, "sd", NULL);
+  report_add_fabric(root, "fabric", &r->fabric);
 }
 
 static void add_audit(cJSON *root, const report *r)
@@ -206,7 +255,10 @@ static cJSON *shared_object(const report *r, cJSON *options)
   report_add_text(root, "command", r->command);
   check(cJSON_AddItemToObject(root, "options", options) ? root : NULL);
   add_input(root, r->input);
-  report_add_u64(root, "seed", r->seed);
+  if (r->seedless)
+    report_add_text(root, "seed", NULL);
+  else
+    report_add_u64(root, "seed", r->seed);
   report_add_count(root, "threads", (size_t)r->threads);
   report_add_count(root, "dim", (size_t)r->dim);
   return root;

@@ -11,11 +11,20 @@
 /* "Not known": real numbers NaN, counts REPORT_NONE. */
 #define REPORT_NONE SIZE_MAX
 
+/* A fabric tensor, of the library's report. */
+typedef struct report_fabric {
+  int known; /* 0: not measured */
+  int dim;
+  size_t count; /* directions in it */
+  double eigenvalues[3], tensor[3][3], sd, noise_floor;
+} report_fabric;
+
 typedef struct report {
   const char *program;
   const char *command;
   cJSON *options; /* becomes the report's */
   const input_files *input;
+  int seedless; /* 1: nothing random, the seed is null */
   uint64_t seed;
   int threads;
   int dim;
@@ -25,6 +34,7 @@ typedef struct report {
   size_t rattlers;
   int histogram_known; /* 0: none */
   size_t histogram[PACKING_COORDINATION_BINS];
+  report_fabric fabric;
   double max_overlap, max_protrusion, audit_limit;
   int audit_passed; /* 1, 0, or -1: not made */
   double ks, ks_limit, ks_mass, mean_relative_error;
@@ -62,6 +72,14 @@ cJSON *report_add_list(cJSON *object, const char *key);
 void report_append_text(cJSON *list, const char *value);
 void report_append_count(cJSON *list, size_t value);
 void report_append_real(cJSON *list, double value);
+
+/* A list of `count` numbers, and a fabric, all null where it is not known. */
+void report_add_reals(cJSON *object, const char *key, const double *values, size_t count);
+void report_add_fabric(cJSON *object, const char *key, const report_fabric *fabric);
+
+/* Puts an object or list of its own into another; NULL: null. */
+void report_add_item(cJSON *object, const char *key, cJSON *item);
+void report_append_item(cJSON *list, cJSON *item);
 
 /* An empty object. */
 cJSON *report_new(void);

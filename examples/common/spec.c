@@ -5,7 +5,7 @@
 #include <string.h>
 #include "program.h"
 
-const char spec_help[] =
+const char spec_domain_help[] =
     "Containers (--domain), in any unit of length:\n"
     "  box:LX,LY,LZ            its lower corner at the origin\n"
     "  rect:LX,LY              the same in two dimensions\n"
@@ -20,8 +20,9 @@ const char spec_help[] =
     "  ...+periodic            box, rect; +periodic:xy in these directions only\n"
     "  ...+open:top            without a wall at the top\n"
     "  ...+at:X,Y,Z            moved\n"
-    "  ...+scale:S             times S; what is appended applies left to right\n"
-    "\n"
+    "  ...+scale:S             times S; what is appended applies left to right\n";
+
+const char spec_psd_help[] =
     "Sizes (--psd), in radii:\n"
     "  mono:R                  equal particles\n"
     "  uniform:MIN,MAX         all radii alike\n"
@@ -42,12 +43,20 @@ const char spec_help[] =
     "                          0 to 100 or 1; '#' starts a comment\n"
     "  ...,by=mass             or by=number: what the shares count (default: mass\n"
     "                          for curve and discrete, number for the others)\n"
-    "  0.84*SIZES+0.16*SIZES   a mixture, its shares by mass\n"
-    "\n"
+    "  0.84*SIZES+0.16*SIZES   a mixture, its shares by mass\n";
+
+const char spec_maker_status_help[] =
     "Exit status:\n"
     "  0                       done\n"
     "  1                       less was placed than asked, or the audit failed;\n"
     "                          files are written\n"
+    "  2                       bad input: one line says what, nothing is written\n"
+    "  3                       a file cannot be read or written, or no memory\n"
+    "  130                     interrupted, nothing is written\n";
+
+const char spec_taker_status_help[] =
+    "Exit status:\n"
+    "  0                       done, whatever the audit says\n"
     "  2                       bad input: one line says what, nothing is written\n"
     "  3                       a file cannot be read or written, or no memory\n"
     "  130                     interrupted, nothing is written\n";

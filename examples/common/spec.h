@@ -9,6 +9,7 @@
 
 /* Containers that a SPEC can name. */
 typedef enum domain_kind {
+  DOMAIN_NONE, /* no container at all */
   DOMAIN_BOX,
   DOMAIN_RECT,
   DOMAIN_CYLINDER,
@@ -22,7 +23,7 @@ typedef enum domain_kind {
 
 /* A container as it was asked for, scaled and moved. */
 typedef struct domain_spec {
-  const char *text;  /* as typed, borrowed */
+  const char *text;  /* as typed, borrowed; NULL: none */
   domain_kind kind;  /* which */
   int dim;           /* 2 or 3 */
   double size[4];    /* lengths in the order of the SPEC */
@@ -34,8 +35,16 @@ typedef struct domain_spec {
 
 int domain_spec_parse(const char *text, domain_spec *spec);
 
+/* The same of another option, say "--crop". */
+int domain_spec_parse_as(const char *option, const char *text, domain_spec *spec);
+
+/* No container, in `dim` dimensions. */
+void domain_spec_none(int dim, domain_spec *spec);
+
 /* The length that is the container's height; NULL where it has none, as a sphere. */
 double *domain_spec_height(domain_spec *spec);
+
+/* Makes the container; `*domain` stays NULL where there is none. */
 int domain_spec_create(packing_context *context, const domain_spec *spec,
                        packing_domain **domain);
 
@@ -57,8 +66,10 @@ void input_files_free(input_files *files);
 int psd_spec_create(packing_context *context, const char *text, int dim,
                     packing_psd **psd, input_files *files);
 
-/* What --help says about both. */
-extern const char spec_help[];
+/* What --help says about both, and about the exit status of programs that make packs and of
+ * those that take them. */
+extern const char spec_domain_help[], spec_psd_help[];
+extern const char spec_maker_status_help[], spec_taker_status_help[];
 
 /* Adds a name to a list "a, b, c" for a message. */
 void spec_list(char *list, size_t size, const char *name);

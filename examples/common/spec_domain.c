@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --domain: KIND:FIELDS[,axis=A][+MODIFIER[:VALUE]]... */
 #include <ctype.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,14 +39,25 @@ static const kind_row kinds[] = {
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
-#define BAD(...) program_fail(PROGRAM_BAD_INPUT, "--domain: " __VA_ARGS__)
+/* The option being read, which every message names first. */
+static const char *option = "--domain";
+
+__attribute__((format(printf, 1, 2))) static int bad(const char *format, ...)
+{
+  char text[1024];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return program_fail(PROGRAM_BAD_INPUT, "%s: %s", option, text);
+}
 
 static int unknown_kind(const char *name)
 {
   char list[256] = "";
   for (size_t i = 0; i < KINDS; i++)
     spec_list(list, sizeof list, kinds[i].name);
-  return BAD("unknown container '%s'; known are %s", name, list);
+  return bad("unknown container '%s'; known are %s", name, list);
 }
 
 static const kind_row *find_kind(const char *name)
@@ -68,9 +80,9 @@ static size_t count_fields(const kind_row *row)
 static int read_axis(const kind_row *row, const char *value, domain_spec *spec)
 {
   if (!(row->can & AXIS))
-    return BAD("axis: does not apply to %s", row->name);
+    return bad("axis: does not apply to %s", row->name);
   if (strlen(value) != 1 || !strchr("xyz", *value))
-    return BAD("axis: '%s' is not x, y or z", value);
+    return bad("axis: '%s' is not x, y or z", value);
   spec->axis = (packing_axis)(*value - 'x');
   return 0;
 }
@@ -85,12 +97,12 @@ static int read_lengths(const kind_row *row, char **words, size_t count,
       return code;
   }
   if (count < need)
-    return BAD("%s is missing, as in %s", row->field[*words[0] ? count : 0], row->form);
+    return bad("%s is missing, as in %s", row->field[*words[0] ? count : 0], row->form);
   if (count > need)
-    return BAD("'%s' is one field too many for %s", words[need], row->form);
+    return bad("'%s' is one field too many for %s", words[need], row->form);
   for (size_t i = 0; i < need; i++) {
     char where[64];
-    snprintf(where, sizeof where, "--domain: %s: %s", row->name, row->field[i]);
+    snprintf(where, sizeof where, "%s: %s: %s", option, row->name, row->field[i]);
     const int code = number_real(where, words[i], &spec->size[i]);
     if (code)
       return code;
@@ -102,13 +114,13 @@ static int read_periodic(const kind_row *row, const char *value, domain_spec *sp
 {
   const char *all = row->dim == 2 ? "xy" : "xyz";
   if (!(row->can & PERIODIC))
-    return BAD("+periodic: does not apply to %s", row->name);
+    return bad("+periodic: does not apply to %s", row->name);
   for (const char *at = value ? value : all; *at; at++) {
     if (!strchr(all, *at))
-      return BAD("+periodic: '%s' has other letters than %s", value, all);
+      return bad("+periodic: '%s' has other letters than %s", value, all);
     spec->periodic |= (unsigned)PACKING_PERIODIC_X << (*at - 'x');
   }
-  return spec->periodic ? 0 : BAD("+periodic: an axis is missing");
+  return spec->periodic ? 0 : bad("+periodic: an axis is missing");
 }
 
 static int read_at(const kind_row *row, char *value, domain_spec *spec)
@@ -116,14 +128,16 @@ static int read_at(const kind_row *row, char *value, domain_spec *spec)
   double v[3] = {0, 0, 0};
   size_t count = 0;
   int code = 0;
+  char where[64];
+  snprintf(where, sizeof where, "%s: +at", option);
   char **words = spec_split(value, ',', &count);
   if (count > 3 || count < (size_t)row->dim)
-    code = BAD("+at: %zu numbers, where %s is wanted", count,
+    code = bad("+at: %zu numbers, where %s is wanted", count,
                row->dim == 2 ? "X,Y" : "X,Y,Z");
   for (size_t i = 0; i < count && !code; i++)
-    code = number_real("--domain: +at", words[i], &v[i]);
+    code = number_real(where, words[i], &v[i]);
   if (!code && row->dim == 2 && v[2] != 0)
-    code = BAD("+at: Z must be 0 in two dimensions");
+    code = bad("+at: Z must be 0 in two dimensions");
   spec->at.x += v[0];
   spec->at.y += v[1];
   spec->at.z += v[2];
@@ -134,7 +148,9 @@ static int read_at(const kind_row *row, char *value, domain_spec *spec)
 static int read_scale(const char *value, domain_spec *spec)
 {
   double scale = 1;
-  const int code = number_positive("--domain: +scale", value, &scale);
+  char where[64];
+  snprintf(where, sizeof where, "%s: +scale", option);
+  const int code = number_positive(where, value, &scale);
   if (code)
     return code;
   for (size_t i = 0; i < 4; i++)
@@ -157,13 +173,20 @@ static int read_modifier(const kind_row *row, char *word, domain_spec *spec)
   if (strcmp(word, "scale") == 0)
     return read_scale(value ? value : "", spec);
   if (strcmp(word, "open") != 0)
-    return BAD("unknown modifier '+%s'; known are +periodic, +at, +scale, +open", word);
+    return bad("unknown modifier '+%s'; known are +periodic, +at, +scale, +open", word);
   if (!(row->can & OPEN))
-    return BAD("+open: does not apply to %s", row->name);
+    return bad("+open: does not apply to %s", row->name);
   if (!value || strcmp(value, "top") != 0)
-    return BAD("+open: '%s' is not top", value ? value : "");
+    return bad("+open: '%s' is not top", value ? value : "");
   spec->open_top = 1;
   return 0;
+}
+
+void domain_spec_none(int dim, domain_spec *spec)
+{
+  memset(spec, 0, sizeof *spec);
+  spec->axis = PACKING_AXIS_Z;
+  spec->dim = dim;
 }
 
 /* Ends the word at `at` before the next modifier and returns that, or NULL. A '+' before a
@@ -201,18 +224,24 @@ static int parse(char *text, domain_spec *spec)
   return code;
 }
 
-int domain_spec_parse(const char *text, domain_spec *spec)
+int domain_spec_parse_as(const char *named, const char *text, domain_spec *spec)
 {
+  option = named;
   memset(spec, 0, sizeof *spec);
   spec->text = text;
   spec->axis = PACKING_AXIS_Z;
   for (const char *at = text; *at; at++)
     if (iscntrl((unsigned char)*at))
-      return BAD("a control character in it");
+      return bad("a control character in it");
   char *copy = program_copy(text, strlen(text));
   const int code = parse(copy, spec);
   free(copy);
   return code;
+}
+
+int domain_spec_parse(const char *text, domain_spec *spec)
+{
+  return domain_spec_parse_as("--domain", text, spec);
 }
 
 double *domain_spec_height(domain_spec *spec)
@@ -339,6 +368,8 @@ int domain_spec_create(packing_context *context, const domain_spec *spec,
       [DOMAIN_CONE] = create_cone,         [DOMAIN_SILO] = create_silo,
       [DOMAIN_SPHERE] = create_sphere,     [DOMAIN_CIRCLE] = create_flat,
       [DOMAIN_ANNULUS] = create_flat};
+  if (spec->kind == DOMAIN_NONE)
+    return 0;
   const packing_status status = create[spec->kind](context, spec, domain);
-  return status == PACKING_OK ? 0 : program_status(context, status, "--domain");
+  return status == PACKING_OK ? 0 : program_status(context, status, option);
 }

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "program.h"
-#include "sha256.h"
 #include "spec.h"
+#include "tap.h"
 
 /* What a part is made from. */
 typedef struct part {
@@ -122,34 +122,6 @@ static int create_discrete(packing_context *context, const part *p, packing_psd 
   return code;
 }
 
-/* A stream that hashes what passes through. */
-typedef struct hashing {
-  packing_stream *inner;
-  sha256 hash;
-} hashing;
-
-static packing_status hashing_read(void *user, void *buffer, size_t capacity,
-                                   size_t *count)
-{
-  hashing *h = user;
-  const packing_status status = h->inner->read(h->inner->user, buffer, capacity, count);
-  if (status == PACKING_OK)
-    sha256_add(&h->hash, buffer, *count);
-  return status;
-}
-
-static void note_input(input_files *files, const char *path, hashing *h)
-{
-  char rest[4096];
-  size_t got = 1;
-  while (got && hashing_read(h, rest, sizeof rest, &got) == PACKING_OK)
-    ;
-  files->items = program_take_more(files->items, files->count + 1, sizeof *files->items);
-  input_file *file = &files->items[files->count++];
-  file->path = program_copy(path, strlen(path));
-  sha256_finish(&h->hash, file->sha256);
-}
-
 typedef packing_status (*psd_reader)(packing_context *context, const part *p,
                                      const packing_stream *stream, packing_psd **psd);
 
@@ -186,12 +158,11 @@ static int create_from_file(packing_context *context, const part *p, psd_reader 
   packing_status status = packing_file_open(context, p->fields, &file);
   if (status != PACKING_OK)
     return program_status(context, status, "--psd");
-  hashing h = {.inner = packing_file_stream(file)};
-  const packing_stream stream = {.read = hashing_read, .user = &h};
-  sha256_start(&h.hash);
-  status = reader(context, p, &stream, psd);
+  tap t;
+  tap_open(&t, packing_file_stream(file));
+  status = reader(context, p, &t.stream, psd);
   if (status == PACKING_OK)
-    note_input(p->files, p->fields, &h);
+    tap_note(&t, p->files, p->fields);
   packing_file_close(file);
   return status == PACKING_OK ? 0 : program_status(context, status, where);
 }

@@ -280,7 +280,7 @@ error_t layers_options_parse(int key, char *argument, struct argp_state *state)
   layers_options *o = state->input;
   if (key == ARGP_KEY_INIT) {
     options_refuse(key, argument, state);
-    state->child_inputs[0] = &o->common;
+    options_pass_on(state, &o->common, 1);
     return 0;
   }
   const int code = read_own(key, argument, o);

@@ -331,8 +331,13 @@ int layers_make(layers_job *job, layered_pack *made)
   if (code)
     return code;
   const packing_view view = view_of(made);
-  code = measures_fill(&made->report, job->context, job->domain, job->psd, &view,
-                       job->asked->common.max_overlap);
+  const measured m = {.context = job->context,
+                      .domain = job->domain,
+                      .psd = job->psd,
+                      .view = &view,
+                      .dim = job->spec.dim,
+                      .limit = job->asked->common.max_overlap};
+  code = measures_fill(&made->report, &m, NULL);
   made->report.time_total = program_seconds() - start;
   return code;
 }

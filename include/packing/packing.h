@@ -6,16 +6,21 @@
  *  All of libpacking. */
 
 #include <packing/base.h>
+#include <packing/contacts.h>
 #include <packing/dem.h>
 #include <packing/domain.h>
 #include <packing/grid.h>
 #include <packing/io.h>
 #include <packing/measure.h>
+#include <packing/order.h>
 #include <packing/particles.h>
 #include <packing/placer.h>
+#include <packing/porosity.h>
+#include <packing/pores.h>
 #include <packing/psd.h>
 #include <packing/readers.h>
 #include <packing/rng.h>
+#include <packing/sizes.h>
 #include <packing/types.h>
 #include <packing/writers.h>
 

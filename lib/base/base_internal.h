@@ -98,6 +98,9 @@ void packing_i_def_fill(void *def, size_t size, void *defaults, size_t known);
 packing_status packing_i_report_write(packing_context *context, void *out,
                                       const void *report, size_t known);
 
+/* Whether packing_i_report_write() will be able to: for calls that write arrays beside. */
+packing_status packing_i_report_check(packing_context *context, const void *out);
+
 /* Runs fn(arg, b) for b in [0, blocks) on the context's threads. The borders of blocks must
  * come from the input only. Memory may not be allocated inside. */
 void packing_i_parallel(packing_context *context, size_t blocks,

@@ -38,8 +38,7 @@ packing_status packing_i_def_read(packing_context *context, const void *def, voi
   return PACKING_OK;
 }
 
-packing_status packing_i_report_write(packing_context *context, void *out,
-                                      const void *report, size_t known)
+packing_status packing_i_report_check(packing_context *context, const void *out)
 {
   size_t size;
   if (out == NULL)
@@ -49,6 +48,15 @@ packing_status packing_i_report_write(packing_context *context, void *out,
   if (size < sizeof size || size > LARGEST_STRUCT)
     return packing_i_fail(context, PACKING_ERR_ABI, "struct_size", PACKING_NO_INDEX,
                           "the report is not initialised: call its _init first");
+  return PACKING_OK;
+}
+
+packing_status packing_i_report_write(packing_context *context, void *out,
+                                      const void *report, size_t known)
+{
+  size_t size;
+  PACKING_I_TRY(packing_i_report_check(context, out));
+  memcpy(&size, out, sizeof size);
   memcpy((unsigned char *)out + sizeof size, (const unsigned char *)report + sizeof size,
          (size < known ? size : known) - sizeof size);
   return PACKING_OK;

@@ -163,8 +163,8 @@ packing_vec3 packing_domain_separation(const packing_domain *domain,
   return packing_i_domain_separation(domain, *a, *b);
 }
 
-/* A ball wholly inside: at least r from the walls and below an open top. */
-static int keeps_whole(const packing_domain *domain, const packing_vec3 *centre, double r)
+int packing_i_domain_keeps_whole(const packing_domain *domain, const packing_vec3 *centre,
+                                 double r)
 {
   const packing_i_domain_body *body = &domain->body;
   if (!packing_domain_holds(domain, centre, r))
@@ -186,7 +186,7 @@ packing_status packing_domain_sphere_volume(const packing_domain *domain,
     return PACKING_ERR_RANGE;
   double v = packing_i_ball_volume(domain->body.dim, r);
   double e = 0;
-  if (!keeps_whole(domain, centre, r) &&
+  if (!packing_i_domain_keeps_whole(domain, centre, r) &&
       domain->body.ops->sphere_volume(&domain->body, centre, r, tolerance, &v, &e))
     return PACKING_ERR_GEOMETRY;
   *volume = v;

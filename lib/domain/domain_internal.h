@@ -142,6 +142,61 @@ packing_i_domain_near_walls(const packing_domain *domain, const packing_vec3 *po
   return domain->body.ops->near_walls(&domain->body, point, reach, near);
 }
 
+/* Whether a ball lies wholly inside: at least r from the walls and below an open top. */
+int packing_i_domain_keeps_whole(const packing_domain *domain, const packing_vec3 *centre,
+                                 double r);
+
+/* A convex cell, to cut containers and particles with: a box, or what a box and a cylinder or
+ * a ball have in common. */
+typedef enum packing_i_cell_kind {
+  PACKING_I_CELL_BOX,
+  PACKING_I_CELL_CYLINDER, /* in two dimensions a disc, as is a ball */
+  PACKING_I_CELL_BALL
+} packing_i_cell_kind;
+
+typedef struct packing_i_cell {
+  packing_i_cell_kind kind;
+  packing_bounds box; /* infinite entries are fine */
+  int axis;           /* of the cylinder */
+  packing_vec3 centre;
+  double radius;
+} packing_i_cell;
+
+/* The volume (area) that a container, a cell and, when r > 0, a ball have in common, and its
+ * error: a bound for closed forms, else an estimate. The tolerance is relative to the ball, or
+ * to the container when r is 0. Without a ball the cell must be bounded in the container's
+ * periodic directions. 0, or -1 when a custom container misbehaves. Thread-safe. */
+int packing_i_domain_cell_volume(const packing_domain *domain, const packing_i_cell *cell,
+                                 const packing_vec3 *centre, double r, double tolerance,
+                                 double *volume, double *error);
+
+/* How large the radius of a round cell must be to hold the container; along periodic directions
+ * that the cell grows into, half the smallest period. */
+double packing_i_domain_reach(const packing_domain *domain, const packing_i_cell *cell);
+
+/* A plane through a container of three dimensions, in which (u, v) is the point
+ * origin + u u_axis + v v_axis; all unit vectors, u_axis x v_axis = normal. */
+typedef struct packing_i_plane {
+  packing_vec3 origin, u_axis, v_axis, normal;
+} packing_i_plane;
+
+/* A rectangle that holds the container's section (of a periodic cell: cut at its borders). 0:
+ * the plane misses it. */
+int packing_i_domain_section_window(const packing_domain *domain,
+                                    const packing_i_plane *plane, double lo[2],
+                                    double hi[2]);
+
+/* The area that the container's section, and when r > 0 the disc round (u, v), have in common,
+ * and its error: a bound for closed forms, else an estimate. The tolerance is relative to the
+ * disc or the window. 0, or -1 when a custom container misbehaves. Thread-safe. */
+int packing_i_domain_section_area(const packing_domain *domain,
+                                  const packing_i_plane *plane, double u, double v,
+                                  double r, double tolerance, double *area,
+                                  double *error);
+
+/* Whether a point lies in the region; in a periodic cell, in the cell. */
+int packing_i_domain_contains(const packing_domain *domain, const packing_vec3 *point);
+
 /* One component of a separation. The difference is exact for neighbours in a cell; on a tie
  * the shorter way round is the direct one. Odd: swapping the ends changes the sign alone. */
 static inline double packing_i_nearest_image(double difference, double period)

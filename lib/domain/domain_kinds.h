@@ -54,6 +54,9 @@ int packing_i_planar_sphere_volume(const packing_i_domain_body *body,
 /* The part of a ball of radius r that a plane cuts off at the height h. */
 double packing_i_cap(int dim, double r, double h);
 
+/* x - sin(x), without cancellation. */
+double packing_i_minus_sin(double x);
+
 /* What balls of radii p and q at distance d share. */
 double packing_i_lens(int dim, double p, double q, double d);
 
@@ -61,6 +64,39 @@ double packing_i_lens(int dim, double p, double q, double d);
  * its error. */
 double packing_i_cut_planes(int dim, double r, const double lo[3], const double hi[3],
                             double *error);
+
+/* What a ball and an endless cylinder share whose axis passes at distance d. */
+double packing_i_ball_cylinder(double r, double radius, double d, double *error);
+
+/* A disc in the plane. */
+typedef struct packing_i_disc {
+  double u, v, r;
+} packing_i_disc;
+
+enum { PACKING_I_DISCS = 3 };
+
+/* The area that up to PACKING_I_DISCS discs and a rectangle (infinite entries are fine where
+ * there is a disc) have in common, to some roundings of the smallest of them. */
+double packing_i_discs_area(int count, const packing_i_disc discs[], const double lo[2],
+                            const double hi[2]);
+
+/* How much of the line start + t direction (a unit vector), least <= t <= most, lies in the
+ * container. Of a periodic cell, in the cell. Not for custom containers. */
+double packing_i_chord(const packing_i_domain_body *body, const packing_vec3 *start,
+                       const packing_vec3 *direction, double least, double most);
+
+/* How often intervals are halved. */
+typedef struct packing_i_depths {
+  int least, most; /* at most PACKING_I_DEEPEST */
+} packing_i_depths;
+
+enum { PACKING_I_DEEPEST = 40 };
+
+/* The integral of f over [h[0], h[1]], analytic inside and with half-integer powers at its
+ * ends. The tolerance is absolute; *error grows by the estimated error. */
+double packing_i_integrate(double (*f)(const void *arg, double h), const void *arg,
+                           const double h[2], packing_i_depths depths, double tolerance,
+                           double *error);
 
 /* Cylinder, tube, cone and silo: the polygon's corners, counter-clockwise in (rho, h) and
  * beginning at the bottom; corners in one place are fine, the axis is no wall. */

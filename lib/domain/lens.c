@@ -2,13 +2,14 @@
 /* Volume (area) that two balls (discs) share, in closed form: two caps.
  *
  * Balls of radii p and q at distance d meet in a plane that cuts caps of the heights
- * (q - d + p)(q + d - p) / (2 d) off the first and (p - d + q)(p + d - q) / (2 d) off the
- * second: products, so that a thin lens loses nothing but what d - p - q lost. */
+ * (q - d + p)(q - p + d) / (2 d) off the first and (p - d + q)(p + d - q) / (2 d) off the
+ * second: products, so that a thin lens loses nothing but what d - p - q lost,
+ * and nearly equal balls nothing at all. */
 #include "domain_kinds.h"
 #include <math.h>
 
-/* x - sin(x), without cancellation: below 1.5 by its series, x^3/3! - x^5/5! + ... x^25/25!. */
-static double minus_sin(double x)
+/* Below 1.5 by its series, x^3/3! - x^5/5! + ... x^25/25!. */
+double packing_i_minus_sin(double x)
 {
   if (x > 1.5)
     return x - sin(x);
@@ -26,7 +27,7 @@ double packing_i_cap(int dim, double r, double h)
     return packing_i_ball_volume(dim, r);
   if (dim == 3)
     return PACKING_I_PI / 3 * h * h * (3 * r - h);
-  return 0.5 * r * r * minus_sin(4 * atan(sqrt(h / (2 * r - h))));
+  return 0.5 * r * r * packing_i_minus_sin(4 * atan(sqrt(h / (2 * r - h))));
 }
 
 double packing_i_lens(int dim, double p, double q, double d)
@@ -35,7 +36,7 @@ double packing_i_lens(int dim, double p, double q, double d)
     return 0;
   if (d <= fabs(p - q))
     return packing_i_ball_volume(dim, p < q ? p : q);
-  const double h = (q - d + p) * (q + d - p) / (2 * d);
-  const double k = (p - d + q) * (p + d - q) / (2 * d);
+  const double h = (q - d + p) * ((q - p) + d) / (2 * d);
+  const double k = (p - d + q) * ((p - q) + d) / (2 * d);
   return packing_i_cap(dim, p, h) + packing_i_cap(dim, q, k);
 }

@@ -7,10 +7,7 @@
  * the heights at which the ball's great circle in the plane of the axis meets a face, that is a
  * chord of a circle. Between such heights the lens is either one of its two discs, whose area is
  * quadratic in the height, and Simpson's rule is exact; or a proper lens, analytic inside the
- * interval and with half-integer powers at its ends. Those go with h = middle + half sin(t),
- * after which the 15 points of Gauss-Kronrod (QUADPACK's qk15) converge fast; bisection takes
- * care of the rest. The error is four times the sum of the differences to the 7 points of Gauss;
- * as a rule far above the true one, and the four is for differences that are small by chance.
+ * interval and with half-integer powers at its ends, for integrate.c.
  * Cost: at most 26 heights; most balls have two or three proper intervals. */
 #include "domain_kinds.h"
 #include <float.h>
@@ -31,72 +28,10 @@ static double slice_of_ball(const cut *c, double h)
   return s > 0 ? sqrt(s) : 0;
 }
 
-static double lens_at(const cut *c, double h)
+static double lens_at(const void *arg, double h)
 {
+  const cut *c = arg;
   return packing_i_lens(2, slice_of_ball(c, h), c->radius(c->body, h), c->rho);
-}
-
-/* The integral of the lens over [low, high] in t, 7 and 15 points. */
-static double kronrod(const cut *c, const double h[2], double low, double high,
-                      double *difference)
-{
-  static const double node[8] = {
-      0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
-      0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
-      0.586087235467691130294144691693013, 0.405845151377397166906606412076961,
-      0.207784955007898467600689403773245, 0};
-  static const double kronrod_weight[8] = {
-      0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
-      0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
-      0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
-      0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
-  static const double gauss_weight[4] = {
-      0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
-      0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
-  const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
-  const double centre = 0.5 * (h[0] + h[1]), reach = 0.5 * (h[1] - h[0]);
-  double k = 0, g = 0;
-  for (int i = 0; i < 8; i++)
-    for (int side = -1; side <= (i == 7 ? -1 : 1); side += 2) {
-      const double t = middle + side * half * node[i];
-      const double f = lens_at(c, centre + reach * sin(t)) * cos(t);
-      k += kronrod_weight[i] * f;
-      if (i % 2 == 1)
-        g += gauss_weight[i / 2] * f;
-    }
-  *difference = 4 * fabs(k - g) * half * reach;
-  return k * half * reach;
-}
-
-/* An interval of t that waits for its turn. */
-typedef struct interval {
-  double low, high;
-  int depth;
-} interval;
-
-/* The integral over heights between which the lens is a proper one: from left to right, halving
- * where the rules disagree. */
-static double proper(const cut *c, const double h[2], double tolerance, double *error)
-{
-  interval stack[DEEPEST + 1] = {{-0.5 * PACKING_I_PI, 0.5 * PACKING_I_PI, 0}};
-  double sum = 0;
-  int waiting = 1;
-  while (waiting > 0) {
-    const interval now = stack[waiting - 1];
-    double difference;
-    const double part = kronrod(c, h, now.low, now.high, &difference);
-    if (now.depth < DEEPEST &&
-        difference > tolerance * (now.high - now.low) / PACKING_I_PI) {
-      const double middle = 0.5 * (now.low + now.high);
-      stack[waiting - 1] = (interval){middle, now.high, now.depth + 1};
-      stack[waiting++] = (interval){now.low, middle, now.depth + 1};
-      continue;
-    }
-    waiting--;
-    sum += part;
-    *error += difference;
-  }
-  return sum;
 }
 
 /* What the two discs of a height share. */
@@ -131,7 +66,8 @@ static double piece(const cut *c, const double h[2], double tolerance, double *e
   const share s = share_at(c, 0.5 * (h[0] + h[1]));
   if (s == LENS || s != share_at(c, 0.75 * h[0] + 0.25 * h[1]) ||
       s != share_at(c, 0.25 * h[0] + 0.75 * h[1]))
-    return proper(c, h, tolerance, error);
+    return packing_i_integrate(lens_at, c, h, (packing_i_depths){0, DEEPEST}, tolerance,
+                               error);
   return s == NOTHING ? 0 : simpson(c, h, s);
 }
 

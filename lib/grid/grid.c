@@ -17,6 +17,8 @@
  * apart than touching still lie in adjacent cells. */
 #define CELL_SLACK (33.0 / 32.0)
 
+#define CELLS_OF_REACH 8.0
+
 /* Numbers beyond have squares that leave the range of doubles. */
 #define LARGEST 1e150
 #define SMALLEST 1e-150
@@ -124,9 +126,33 @@ static void choose_axes(packing_grid *g, const packing_i_grid_source *s)
   g->order[2] = sweep == 2 ? 1 : 2;
 }
 
-static void cut_cells(packing_grid *g, const packing_i_grid_source *s)
+/* As wide as a diameter, or, where pairs are met farther apart, so that the reach is a whole
+ * number of cells: a little more than that would take another row on each side. More than a few
+ * cells offer hardly less, in more rows. The slack holds a 64th of a diameter. */
+static double cell_width(const packing_i_grid_source *s,
+                         const packing_i_grid_reach *reach)
 {
-  const double width = 2.0 * s->r_max * CELL_SLACK;
+  const double diameter = 2.0 * s->r_max;
+  const double far = reach == NULL ? 0 : diameter * reach->factor + reach->gap;
+  if (!(far > diameter * (1 + 1.0 / 64)))
+    return diameter * CELL_SLACK;
+  return far / fmin(floor(far / diameter), CELLS_OF_REACH) * CELL_SLACK;
+}
+
+/* The finest octave: that of the smallest particles, but no cells narrower than the gap, which
+ * is part of every reach. */
+static int finest_octave(const packing_i_grid_source *s,
+                         const packing_i_grid_reach *reach, double width)
+{
+  const int octave = ilogb(s->r_max / s->r_min);
+  if (reach == NULL || !(reach->gap > 0))
+    return octave;
+  const int of_gap = ilogb(fmax(width / reach->gap, 1.0));
+  return of_gap < octave ? of_gap : octave;
+}
+
+static void cut_cells(packing_grid *g, double width)
+{
   const double most = ldexp(1.0, PACKING_I_GRID_REACH - g->deepest);
   for (int k = 0; k < 3; k++) {
     packing_i_grid_axis *axis = &g->axis[k];
@@ -142,7 +168,8 @@ static void cut_cells(packing_grid *g, const packing_i_grid_source *s)
 packing_status packing_i_grid_build(packing_context *context, int levels,
                                     const packing_domain *domain,
                                     const packing_view *view, const size_t *selection,
-                                    size_t count, packing_grid **grid)
+                                    size_t count, const packing_i_grid_reach *reach,
+                                    packing_grid **grid)
 {
   packing_i_grid_source s = {0};
   packing_status status = PACKING_OK;
@@ -158,10 +185,11 @@ packing_status packing_i_grid_build(packing_context *context, int levels,
   s.count = count;
   status = survey(g, &s);
   if (status == PACKING_OK && count > 0) {
-    const int deepest = ilogb(s.r_max / s.r_min);
+    const double width = cell_width(&s, reach);
+    const int deepest = finest_octave(&s, reach, width);
     g->deepest = deepest < levels - 1 ? deepest : levels - 1;
     choose_axes(g, &s);
-    cut_cells(g, &s);
+    cut_cells(g, width);
     status = packing_i_grid_fill(g, &s);
   }
   if (status == PACKING_OK)
@@ -186,7 +214,7 @@ packing_status packing_grid_create(packing_context *context, const packing_grid_
                           "NULL, not initialised, or x, y or r is missing");
   if (grid == NULL)
     return packing_i_fail(context, PACKING_ERR_INVALID, "grid", PACKING_NO_INDEX, "NULL");
-  return packing_i_grid_build(context, d.levels, domain, &v, NULL, v.count, grid);
+  return packing_i_grid_build(context, d.levels, domain, &v, NULL, v.count, NULL, grid);
 }
 
 void packing_grid_destroy(packing_grid *grid)

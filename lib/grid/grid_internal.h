@@ -72,22 +72,32 @@ typedef struct packing_i_grid_range {
   int parts;
 } packing_i_grid_range;
 
-/* A pair within reach: i < j index the view, d is the distance of the centres. */
-typedef void (*packing_i_pair_function)(void *arg, size_t i, size_t j, double d,
-                                        double r_i, double r_j);
+/* A pair within reach; `own` and `other` are places in the grid's arrays. */
+typedef struct packing_i_grid_pair {
+  size_t own; /* in the block that is visited */
+  size_t other;
+  packing_vec3 d; /* from own to this image of other */
+  double distance;
+  int image[3]; /* periods that other is moved by, both centres wrapped into the cell */
+} packing_i_grid_pair;
 
-/* Pairs with d <= (r_i + r_j) * factor + gap, where factor > 0. */
+typedef void (*packing_i_pair_function)(void *arg, const packing_i_grid_pair *pair);
+
+/* Pairs with d <= (r_i + r_j) * factor + gap, where factor >= 0. */
 typedef struct packing_i_grid_reach {
   double factor;
   double gap;
+  int all_images; /* 1: every image within reach, also of the particle itself (then the first
+       of image[] that is not 0 is above 0); 0: the nearest image, no particle with itself */
 } packing_i_grid_reach;
 
-/* As packing_grid_create(), of the `count` particles view[selection[k]]; selection NULL: all
- * of the view. */
+/* As packing_grid_create(), of the `count` particles view[selection[k]]; selection NULL: all of the
+ * view. Its cells suit visits of that reach; NULL: of touching particles. */
 packing_status packing_i_grid_build(packing_context *context, int levels,
                                     const packing_domain *domain,
                                     const packing_view *view, const size_t *selection,
-                                    size_t count, packing_grid **grid);
+                                    size_t count, const packing_i_grid_reach *reach,
+                                    packing_grid **grid);
 
 /* Every pair is met in exactly one block, whose borders depend on the particles only. */
 size_t packing_i_grid_blocks(const packing_grid *grid);
@@ -98,6 +108,16 @@ size_t packing_i_grid_blocks(const packing_grid *grid);
 void packing_i_grid_visit(const packing_grid *grid, const packing_i_grid_reach *reach,
                           size_t block, packing_i_pair_function fn, void *arg);
 
+/* A particle near a point: its index in the view, the vector from the point to (the nearest image
+ * of) its centre, and the length of that. */
+typedef void (*packing_i_near_function)(void *arg, size_t index, packing_vec3 d,
+                                        double distance);
+
+/* Calls fn for every particle with distance <= r + reach, in an order that depends on particles
+ * and point only. Thread-safe, allocates nothing. */
+void packing_i_grid_near_visit(const packing_grid *grid, const packing_vec3 *point,
+                               double reach, packing_i_near_function fn, void *arg);
+
 /* Cell of a coordinate (inside the periodic cell) at an octave. */
 uint64_t packing_i_grid_cell(const packing_grid *grid, const packing_i_grid_axis *axis,
                              double v, int octave);
@@ -106,6 +126,11 @@ uint64_t packing_i_grid_cell(const packing_grid *grid, const packing_i_grid_axis
  * `finer` octaves are given, of the cell `cell` of octave + finer. */
 void packing_i_grid_around(const packing_i_grid_axis *axis, uint64_t cell, int octave,
                            int finer, double reach, packing_i_grid_range *range);
+
+/* The same for the image of the axis that is moved by `periods`. `parts` may be 0. */
+void packing_i_grid_around_image(const packing_i_grid_axis *axis, uint64_t cell,
+                                 int octave, int finer, double reach, int periods,
+                                 packing_i_grid_range *range);
 
 /* The first row from `row` on, and before `end`, inside the rectangle; `end` when there is
  * none. */
@@ -125,6 +150,15 @@ static inline const double *packing_i_grid_swept(const packing_grid *grid)
   return grid->order[0] == 0 ? grid->x : grid->order[0] == 1 ? grid->y : grid->z;
 }
 
+/* The particles of a pair as indices in the view. */
+static inline packing_pair packing_i_grid_ends(const packing_grid *grid,
+                                               const packing_i_grid_pair *pair)
+{
+  const size_t a = grid->index[pair->own], b = grid->index[pair->other];
+  const packing_pair ends = {a < b ? a : b, a < b ? b : a};
+  return ends;
+}
+
 /* The difference of two coordinates inside the cell, to the nearest image. */
 static inline double packing_i_grid_nearest(const packing_i_grid_axis *axis, double d)
 {
@@ -138,6 +172,13 @@ typedef struct packing_i_grid_sweep {
   double shift[3]; /* of each pass */
   int passes;
 } packing_i_grid_sweep;
+
+/* Whether more than one image of a particle may be within reach along an axis; true a little
+ * early. */
+static inline int packing_i_grid_is_narrow(const packing_i_grid_axis *axis, double reach)
+{
+  return axis->cells > 0 && reach > 0.49 * axis->period;
+}
 
 void packing_i_grid_sweep_init(const packing_grid *grid, double reach,
                                packing_i_grid_sweep *sweep);

@@ -13,11 +13,17 @@ typedef struct query {
   packing_vec3 point;
   double at; /* the point along the swept axis */
   double reach;
+  packing_i_near_function fn;
+  void *arg;
+} query;
+
+/* The lowest indices found. */
+typedef struct harvest {
   size_t *indices;
   size_t capacity;
   size_t held;
   size_t count;
-} query;
+} harvest;
 
 static void try_particle(query *q, size_t j)
 {
@@ -25,10 +31,9 @@ static void try_particle(query *q, size_t j)
   const packing_vec3 d = {packing_i_grid_nearest(&g->axis[0], g->x[j] - q->point.x),
                           packing_i_grid_nearest(&g->axis[1], g->y[j] - q->point.y),
                           packing_i_grid_nearest(&g->axis[2], g->z[j] - q->point.z)};
-  if (!(packing_i_norm(d) <= g->r[j] + q->reach))
-    return;
-  q->count++;
-  packing_i_heap_offer(q->indices, q->capacity, &q->held, g->index[j]);
+  const double distance = packing_i_norm(d);
+  if (distance <= g->r[j] + q->reach)
+    q->fn(q->arg, g->index[j], d, distance);
 }
 
 /* Particles of one row within a pass's reach of the point. */
@@ -99,22 +104,38 @@ static packing_status check_query(const packing_grid *grid, const packing_vec3 *
   return PACKING_OK;
 }
 
-packing_status packing_grid_near(const packing_grid *grid, const packing_vec3 *point,
-                                 double reach, size_t *indices, size_t capacity,
-                                 size_t *count)
+void packing_i_grid_near_visit(const packing_grid *grid, const packing_vec3 *point,
+                               double reach, packing_i_near_function fn, void *arg)
 {
-  PACKING_I_TRY(check_query(grid, point, reach, indices, capacity, count));
   query q = {0};
   q.grid = grid;
   q.swept = packing_i_grid_swept(grid);
   q.point = packing_i_grid_wrap(grid, *point);
   q.at = packing_i_component(q.point, grid->order[0]);
   q.reach = reach;
-  q.indices = indices;
-  q.capacity = capacity;
+  q.fn = fn;
+  q.arg = arg;
   for (int l = 0; l < grid->levels; l++)
     try_level(&q, &grid->level[l]);
-  packing_i_heap_sort(indices, q.held);
-  *count = q.count;
+}
+
+static void keep_index(void *arg, size_t index, packing_vec3 d, double distance)
+{
+  harvest *c = arg;
+  (void)d;
+  (void)distance;
+  c->count++;
+  packing_i_heap_offer(c->indices, c->capacity, &c->held, index);
+}
+
+packing_status packing_grid_near(const packing_grid *grid, const packing_vec3 *point,
+                                 double reach, size_t *indices, size_t capacity,
+                                 size_t *count)
+{
+  PACKING_I_TRY(check_query(grid, point, reach, indices, capacity, count));
+  harvest c = {indices, capacity, 0, 0};
+  packing_i_grid_near_visit(grid, point, reach, keep_index, &c);
+  packing_i_heap_sort(indices, c.held);
+  *count = c.count;
   return PACKING_OK;
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 
 typedef struct collector {
+  const packing_grid *grid;
   double gap;
   size_t capacity;
   size_t count;
@@ -12,25 +13,26 @@ typedef struct collector {
   size_t *partners;
 } collector;
 
-static int touches(const collector *c, double d, double r_i, double r_j)
+static int touches(const collector *c, const packing_i_grid_pair *p)
 {
-  return d <= r_i + r_j + c->gap;
+  return p->distance <= c->grid->r[p->own] + c->grid->r[p->other] + c->gap;
 }
 
-static void count_pair(void *arg, size_t i, size_t j, double d, double r_i, double r_j)
+static void count_pair(void *arg, const packing_i_grid_pair *p)
 {
   collector *c = arg;
-  (void)j;
-  if (!touches(c, d, r_i, r_j))
+  if (!touches(c, p))
     return;
   c->count++;
-  c->start[i]++;
+  c->start[packing_i_grid_ends(c->grid, p).i]++;
 }
 
-static void place_pair(void *arg, size_t i, size_t j, double d, double r_i, double r_j)
+static void place_pair(void *arg, const packing_i_grid_pair *p)
 {
   collector *c = arg;
-  if (!touches(c, d, r_i, r_j) || c->start[i] >= c->capacity)
+  const size_t i = packing_i_grid_ends(c->grid, p).i,
+               j = packing_i_grid_ends(c->grid, p).j;
+  if (!touches(c, p) || c->start[i] >= c->capacity)
     return;
   const size_t room = c->start[i + 1] - c->start[i], left = c->capacity - c->start[i];
   packing_i_heap_offer(c->partners + c->start[i], room < left ? room : left, &c->held[i],
@@ -39,7 +41,7 @@ static void place_pair(void *arg, size_t i, size_t j, double d, double r_i, doub
 
 static void visit_all(const packing_grid *grid, packing_i_pair_function fn, collector *c)
 {
-  const packing_i_grid_reach reach = {1.0, c->gap};
+  const packing_i_grid_reach reach = {1.0, c->gap, 0};
   const size_t blocks = packing_i_grid_blocks(grid);
   for (size_t b = 0; b < blocks; b++)
     packing_i_grid_visit(grid, &reach, b, fn, c);
@@ -85,7 +87,7 @@ packing_status packing_grid_pairs(const packing_grid *grid, double gap,
                                   packing_pair *pairs, size_t capacity, size_t *count)
 {
   packing_status status = PACKING_OK;
-  collector c = {gap, capacity, 0, NULL, NULL, NULL};
+  collector c = {grid, gap, capacity, 0, NULL, NULL, NULL};
   PACKING_I_TRY(check_query(grid, gap, pairs, capacity, count));
   c.start = packing_i_calloc(grid->allocator, grid->count + 1, sizeof *c.start);
   if (c.start == NULL)

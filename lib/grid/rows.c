@@ -66,6 +66,21 @@ void packing_i_grid_around(const packing_i_grid_axis *axis, uint64_t cell, int o
   range->hi[0] = last >> finer;
 }
 
+void packing_i_grid_around_image(const packing_i_grid_axis *axis, uint64_t cell,
+                                 int octave, int finer, double reach, int periods,
+                                 packing_i_grid_range *range)
+{
+  const int64_t n = (int64_t)cells_within(axis, octave + finer, reach);
+  const int64_t around = (int64_t)(axis->cells << (octave + finer));
+  const int64_t at = (int64_t)cell - periods * around;
+  const int64_t lo = at > n ? at - n : 0, hi = at + n < around ? at + n : around - 1;
+  range->parts = lo <= hi;
+  if (range->parts == 0)
+    return;
+  range->lo[0] = (uint64_t)lo >> finer;
+  range->hi[0] = (uint64_t)hi >> finer;
+}
+
 static int is_before(const packing_i_grid_row *row, uint64_t b, uint64_t c)
 {
   return row->c < c || (row->c == c && row->b < b);
@@ -142,7 +157,7 @@ void packing_i_grid_sweep_init(const packing_grid *grid, double reach,
   sweep->shift[2] = axis->period;
   sweep->passes = axis->cells > 0 ? 3 : 1;
   /* With less than a period between the ends of a pass no particle is met twice. */
-  if (axis->cells > 0 && reach > 0.49 * axis->period) {
+  if (packing_i_grid_is_narrow(axis, reach)) {
     sweep->passes = 1;
     sweep->reach = (double)INFINITY;
   }

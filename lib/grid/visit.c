@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* All pairs within reach, block by block. A block owns particles that follow each other in the
  * sorted order; it meets each with what stands later on its own level and with all of the
- * coarser levels. */
+ * coarser levels, and where that is asked for with their periodic images. */
 #include "grid/grid_internal.h"
 #include <float.h>
 #include <math.h>
@@ -12,6 +12,9 @@ typedef struct visit {
   packing_i_grid_reach reach;
   packing_i_pair_function fn;
   void *arg;
+  packing_i_grid_axis axis[3]; /* half infinite where images are met one by one */
+  double shift[3];             /* of the image that is met: */
+  int image[3];                /* by so many periods */
 } visit;
 
 /* Particles [first, end) of one row. */
@@ -26,6 +29,18 @@ size_t packing_i_grid_blocks(const packing_grid *grid)
   return (grid->count + PACKING_I_GRID_BLOCK - 1) / PACKING_I_GRID_BLOCK;
 }
 
+/* One coordinate of i less that of the image of j. */
+static double apart(const visit *v, int k, double i, double j)
+{
+  return packing_i_grid_nearest(&v->axis[k], i - j - v->shift[k]);
+}
+
+static int image_of(const visit *v, int k, double i, double j)
+{
+  const double d = i - j - v->shift[k];
+  return v->image[k] + (d > v->axis[k].half) - (d < -v->axis[k].half);
+}
+
 /* Particle j with [first, end). The screen compares squares, a little generously. */
 static void meet(const visit *v, size_t j, size_t first, size_t end)
 {
@@ -33,18 +48,21 @@ static void meet(const visit *v, size_t j, size_t first, size_t end)
   const double xj = g->x[j], yj = g->y[j], zj = g->z[j], rj = g->r[j];
   const double factor = v->reach.factor, gap = v->reach.gap;
   for (size_t i = first; i < end; i++) {
-    const double dx = packing_i_grid_nearest(&g->axis[0], g->x[i] - xj);
-    const double dy = packing_i_grid_nearest(&g->axis[1], g->y[i] - yj);
-    const double dz = packing_i_grid_nearest(&g->axis[2], g->z[i] - zj);
+    const double dx = apart(v, 0, g->x[i], xj);
+    const double dy = apart(v, 1, g->y[i], yj);
+    const double dz = apart(v, 2, g->z[i], zj);
     const double t = (g->r[i] + rj) * factor + gap;
     const double d2 = dx * dx + dy * dy + dz * dz;
     if (!(d2 <= t * t * (1.0 + 8.0 * DBL_EPSILON)) || t < 0)
       continue;
-    const size_t a = g->index[i], b = g->index[j];
-    if (a < b)
-      v->fn(v->arg, a, b, sqrt(d2), g->r[i], rj);
-    else
-      v->fn(v->arg, b, a, sqrt(d2), rj, g->r[i]);
+    const packing_i_grid_pair pair = {i,
+                                      j,
+                                      {0.0 - dx, 0.0 - dy, 0.0 - dz},
+                                      sqrt(d2),
+                                      {image_of(v, 0, g->x[i], xj),
+                                       image_of(v, 1, g->y[i], yj),
+                                       image_of(v, 2, g->z[i], zj)}};
+    v->fn(v->arg, &pair);
   }
 }
 
@@ -68,13 +86,18 @@ static size_t first_in_reach(const visit *v, size_t i, size_t first, size_t end,
   return first;
 }
 
+static int is_moved(const visit *v)
+{
+  return v->image[0] != 0 || v->image[1] != 0 || v->image[2] != 0;
+}
+
 /* One run with one row: as j moves along the row, so does the window of the run. In its own row
- * a particle meets those before it. */
+ * a particle meets those before it, and all images of all. */
 static void sweep_row(const visit *v, const run *a, size_t row,
                       const packing_i_grid_sweep *s, int pass)
 {
   const packing_i_grid_row *rows = v->grid->rows;
-  const int own = row == a->row;
+  const int own = row == a->row && !is_moved(v);
   const double shift = s->shift[pass], reach = s->reach;
   const size_t end = rows[row + 1].start;
   size_t lo = a->first, hi = a->first;
@@ -95,24 +118,43 @@ static void sweep_row(const visit *v, const run *a, size_t row,
   }
 }
 
+/* Rows of a level in reach of a run along axis k. */
+static void find_around(const visit *v, int k, uint64_t cell,
+                        const packing_i_grid_level *from, const packing_i_grid_level *to,
+                        double reach, packing_i_grid_range *range)
+{
+  const packing_i_grid_axis *axis = &v->axis[k];
+  const int finer = from->octave - to->octave;
+  if (axis->cells > 0 && isinf(axis->half))
+    packing_i_grid_around_image(axis, cell, to->octave, finer, reach, v->image[k], range);
+  else
+    packing_i_grid_around(axis, cell, to->octave, finer, reach, range);
+}
+
+static void find_sweep(const visit *v, double reach, packing_i_grid_sweep *s)
+{
+  const int k = v->grid->order[0];
+  packing_i_grid_sweep_init(v->grid, reach, s);
+  if (v->axis[k].cells > 0 && isinf(v->axis[k].half)) {
+    s->reach = reach;
+    s->shift[0] = v->shift[k];
+    s->passes = 1;
+  }
+}
+
 /* One run with all rows of a level that are in reach: on its own level with itself and those
- * behind it. */
-static void sweep_level(const visit *v, const run *a, const packing_i_grid_level *from,
-                        const packing_i_grid_level *to)
+ * behind it, or, for an image, with all. */
+static void sweep_image(const visit *v, const run *a, const packing_i_grid_level *from,
+                        const packing_i_grid_level *to, double reach)
 {
   const packing_grid *g = v->grid;
-  const double reach = (from->r_max + to->r_max) * v->reach.factor + v->reach.gap;
   packing_i_grid_range b, c;
   packing_i_grid_sweep s;
-  if (!(reach >= 0))
-    return;
-  const int finer = from->octave - to->octave;
-  packing_i_grid_around(&g->axis[g->order[1]], g->rows[a->row].b, to->octave, finer,
-                        reach, &b);
-  packing_i_grid_around(&g->axis[g->order[2]], g->rows[a->row].c, to->octave, finer,
-                        reach, &c);
-  packing_i_grid_sweep_init(g, reach, &s);
-  const size_t first = from == to ? a->row : to->first_row, end = to->end_row;
+  find_around(v, g->order[1], g->rows[a->row].b, from, to, reach, &b);
+  find_around(v, g->order[2], g->rows[a->row].c, from, to, reach, &c);
+  find_sweep(v, reach, &s);
+  const size_t first = from == to && !is_moved(v) ? a->row : to->first_row,
+               end = to->end_row;
   for (int q = 0; q < b.parts * c.parts; q++) {
     const int qb = q % b.parts, qc = q / b.parts;
     size_t row = first;
@@ -123,6 +165,51 @@ static void sweep_level(const visit *v, const run *a, const packing_i_grid_level
       row++;
     }
   }
+}
+
+static void move_image(visit *v, int k, int periods)
+{
+  v->image[k] = periods;
+  v->shift[k] = periods * v->axis[k].period;
+}
+
+/* Whether the first component that is not 0 is below 0. */
+static int is_backward(const int image[3])
+{
+  for (int k = 0; k < 3; k++)
+    if (image[k] != 0)
+      return image[k] < 0;
+  return 0;
+}
+
+/* One run with a level, image by image along the axes too narrow for the nearest one to be the
+ * only one in reach. Centres are less than a period apart, so a reach of n periods and a bit
+ * meets images up to n + 1. An image of a pair of one level is that, backwards, of the swapped
+ * pair. */
+static void sweep_level(visit *v, const run *a, const packing_i_grid_level *from,
+                        const packing_i_grid_level *to)
+{
+  const packing_grid *g = v->grid;
+  const double reach = (from->r_max + to->r_max) * v->reach.factor + v->reach.gap;
+  int most[3] = {0, 0, 0};
+  if (!(reach >= 0))
+    return;
+  for (int k = 0; k < 3; k++) {
+    v->axis[k].half = g->axis[k].half;
+    if (!v->reach.all_images || !packing_i_grid_is_narrow(&g->axis[k], reach))
+      continue;
+    v->axis[k].half = (double)INFINITY;
+    most[k] = (int)(reach / g->axis[k].period) + 1;
+  }
+  for (int x = -most[0]; x <= most[0]; x++)
+    for (int y = -most[1]; y <= most[1]; y++)
+      for (int z = -most[2]; z <= most[2]; z++) {
+        move_image(v, 0, x);
+        move_image(v, 1, y);
+        move_image(v, 2, z);
+        if (from != to || !is_backward(v->image))
+          sweep_image(v, a, from, to, reach);
+      }
 }
 
 /* The row that holds a particle. */
@@ -142,7 +229,10 @@ static size_t row_of(const packing_grid *g, size_t particle)
 void packing_i_grid_visit(const packing_grid *grid, const packing_i_grid_reach *reach,
                           size_t block, packing_i_pair_function fn, void *arg)
 {
-  const visit v = {grid, packing_i_grid_swept(grid), *reach, fn, arg};
+  visit v = {grid,      packing_i_grid_swept(grid),
+             *reach,    fn,
+             arg,       {grid->axis[0], grid->axis[1], grid->axis[2]},
+             {0, 0, 0}, {0, 0, 0}};
   const size_t first = block * PACKING_I_GRID_BLOCK;
   const size_t end = grid->count - first < PACKING_I_GRID_BLOCK
                          ? grid->count

@@ -7,16 +7,16 @@
 enum { BATCH = 1024 };
 
 /* In the order of packing_field, so that a field is a bit of packing_i_table.present. */
-static const packing_i_cell_spec specs[PACKING_FIELD_END] = {
-    {"x", PACKING_I_CELL_REAL},          {"y", PACKING_I_CELL_REAL},
-    {"z", PACKING_I_CELL_REAL},          {"r", PACKING_I_CELL_REAL},
-    {"id", PACKING_I_CELL_INT64},        {"type", PACKING_I_CELL_INT32},
-    {"component", PACKING_I_CELL_INT32}, {"vx", PACKING_I_CELL_REAL},
-    {"vy", PACKING_I_CELL_REAL},         {"vz", PACKING_I_CELL_REAL},
-    {"wx", PACKING_I_CELL_REAL},         {"wy", PACKING_I_CELL_REAL},
-    {"wz", PACKING_I_CELL_REAL},         {"qw", PACKING_I_CELL_REAL},
-    {"qx", PACKING_I_CELL_REAL},         {"qy", PACKING_I_CELL_REAL},
-    {"qz", PACKING_I_CELL_REAL},
+static const packing_i_table_spec specs[PACKING_FIELD_END] = {
+    {"x", PACKING_I_TABLE_REAL},          {"y", PACKING_I_TABLE_REAL},
+    {"z", PACKING_I_TABLE_REAL},          {"r", PACKING_I_TABLE_REAL},
+    {"id", PACKING_I_TABLE_INT64},        {"type", PACKING_I_TABLE_INT32},
+    {"component", PACKING_I_TABLE_INT32}, {"vx", PACKING_I_TABLE_REAL},
+    {"vy", PACKING_I_TABLE_REAL},         {"vz", PACKING_I_TABLE_REAL},
+    {"wx", PACKING_I_TABLE_REAL},         {"wy", PACKING_I_TABLE_REAL},
+    {"wz", PACKING_I_TABLE_REAL},         {"qw", PACKING_I_TABLE_REAL},
+    {"qx", PACKING_I_TABLE_REAL},         {"qy", PACKING_I_TABLE_REAL},
+    {"qz", PACKING_I_TABLE_REAL},
 };
 
 #define BIT(field) (UINT32_C(1) << PACKING_FIELD_##field)
@@ -61,8 +61,8 @@ static packing_status understand(const packing_i_table *t, int *dim, unsigned *c
   return PACKING_OK;
 }
 
-static packing_status check_row(const packing_i_table *t, const packing_i_cell *cells,
-                                unsigned r)
+static packing_status check_row(const packing_i_table *t,
+                                const packing_i_table_cell *cells, unsigned r)
 {
   if (cells[(size_t)r * BATCH].real > 0)
     return PACKING_OK;
@@ -71,7 +71,7 @@ static packing_status check_row(const packing_i_table *t, const packing_i_cell *
 }
 
 /* Shows the cells of a batch as a view. */
-static void show(const packing_i_table *t, const packing_i_cell *cells,
+static void show(const packing_i_table *t, const packing_i_table_cell *cells,
                  packing_view *view)
 {
   packing_view_init(view);
@@ -82,11 +82,11 @@ static void show(const packing_i_table *t, const packing_i_cell *cells,
   for (unsigned c = 0; c < t->columns; c++) {
     packing_column *column = columns[t->spec_of[c]];
     column->data = cells + (size_t)c * BATCH;
-    column->stride = sizeof(packing_i_cell);
+    column->stride = sizeof(packing_i_table_cell);
   }
 }
 
-static packing_status read_rows(packing_i_table *t, packing_i_cell *cells,
+static packing_status read_rows(packing_i_table *t, packing_i_table_cell *cells,
                                 packing_particles *particles)
 {
   const unsigned r = packing_i_table_column(t, PACKING_FIELD_R);
@@ -119,7 +119,7 @@ static packing_status read_table(packing_context *context, packing_i_table *t, i
                           "the table has dimension %d, the store %d", *dim,
                           packing_particles_dim(particles));
   PACKING_I_TRY(packing_particles_add_columns(particles, columns));
-  packing_i_cell *cells =
+  packing_i_table_cell *cells =
       packing_i_alloc(allocator, (size_t)t->columns * BATCH, sizeof *cells);
   if (cells == NULL)
     return packing_i_nomem(context);

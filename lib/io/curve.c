@@ -12,10 +12,10 @@ const packing_i_format packing_i_format_curve = {
 enum { MOST_ROWS = 100000 };
 enum { DIAMETER, PERCENT, SHARE, COLUMNS };
 
-static const packing_i_cell_spec specs[COLUMNS] = {
-    {"diameter", PACKING_I_CELL_REAL},
-    {"percent_passing", PACKING_I_CELL_REAL},
-    {"passing", PACKING_I_CELL_REAL},
+static const packing_i_table_spec specs[COLUMNS] = {
+    {"diameter", PACKING_I_TABLE_REAL},
+    {"percent_passing", PACKING_I_TABLE_REAL},
+    {"passing", PACKING_I_TABLE_REAL},
 };
 
 void packing_read_curve_def_fill(packing_read_curve_def *def, size_t size)
@@ -96,7 +96,7 @@ static packing_status grow(curve *c)
 
 static packing_status read_rows(curve *c)
 {
-  packing_i_cell cells[2];
+  packing_i_table_cell cells[2];
   int got;
   for (;;) {
     PACKING_I_TRY(packing_i_table_row(&c->table, cells, 1, &got));

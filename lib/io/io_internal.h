@@ -167,30 +167,30 @@ packing_status packing_i_number_fail(const packing_i_lines *lines, const char *n
 
 /* The reader of tables (table_reader.c): comma-separated columns of numbers, blanks around
  * them ignored. */
-typedef enum packing_i_cell_kind {
-  PACKING_I_CELL_REAL,
-  PACKING_I_CELL_INT64,
-  PACKING_I_CELL_INT32
-} packing_i_cell_kind;
+typedef enum packing_i_table_kind {
+  PACKING_I_TABLE_REAL,
+  PACKING_I_TABLE_INT64,
+  PACKING_I_TABLE_INT32
+} packing_i_table_kind;
 
-typedef union packing_i_cell {
+typedef union packing_i_table_cell {
   double real;
   int64_t int64;
   int32_t int32;
-} packing_i_cell;
+} packing_i_table_cell;
 
-typedef struct packing_i_cell_spec {
+typedef struct packing_i_table_spec {
   const char *name;
-  packing_i_cell_kind kind;
-} packing_i_cell_spec;
+  packing_i_table_kind kind;
+} packing_i_table_spec;
 
 enum { PACKING_I_TABLE_COLUMNS = 32 };
 
 typedef struct packing_i_table {
   packing_i_lines lines;
-  const packing_i_cell_spec *specs; /* the columns that may stand in a table */
-  unsigned spec_count;              /* at most PACKING_I_TABLE_COLUMNS */
-  unsigned columns;                 /* that stand in this one */
+  const packing_i_table_spec *specs; /* the columns that may stand in a table */
+  unsigned spec_count;               /* at most PACKING_I_TABLE_COLUMNS */
+  unsigned columns;                  /* that stand in this one */
   uint8_t spec_of[PACKING_I_TABLE_COLUMNS];
   uint32_t present; /* bit s: column of spec s */
 } packing_i_table;
@@ -198,14 +198,14 @@ typedef struct packing_i_table {
 packing_status packing_i_table_begin(packing_i_table *table, packing_context *context,
                                      const packing_i_format *format,
                                      const packing_stream *stream,
-                                     const packing_i_cell_spec *specs,
+                                     const packing_i_table_spec *specs,
                                      unsigned spec_count);
 void packing_i_table_end(packing_i_table *table);
 packing_status packing_i_table_header(packing_i_table *table);
 /* Which column of the file a spec is. */
 unsigned packing_i_table_column(const packing_i_table *table, unsigned spec);
 /* Reads a row: column c goes to cells[c * stride]; *got 0 at the end. */
-packing_status packing_i_table_row(packing_i_table *table, packing_i_cell *cells,
+packing_status packing_i_table_row(packing_i_table *table, packing_i_table_cell *cells,
                                    size_t stride, int *got);
 
 #endif

@@ -8,7 +8,7 @@ const packing_i_format packing_i_format_sample = {
 
 enum { MOST_RADII = 100000000 };
 
-static const packing_i_cell_spec radius[] = {{"r", PACKING_I_CELL_REAL}};
+static const packing_i_table_spec radius[] = {{"r", PACKING_I_TABLE_REAL}};
 
 void packing_read_sample_def_fill(packing_read_sample_def *def, size_t size)
 {
@@ -50,7 +50,7 @@ static packing_status add(sample *s, double r, double scale)
 
 static packing_status read_radii(sample *s, double scale)
 {
-  packing_i_cell cell;
+  packing_i_table_cell cell;
   int got;
   for (;;) {
     PACKING_I_TRY(packing_i_table_row(&s->table, &cell, 1, &got));

@@ -6,7 +6,7 @@
 packing_status packing_i_table_begin(packing_i_table *table, packing_context *context,
                                      const packing_i_format *format,
                                      const packing_stream *stream,
-                                     const packing_i_cell_spec *specs,
+                                     const packing_i_table_spec *specs,
                                      unsigned spec_count)
 {
   memset(table, 0, sizeof *table);
@@ -73,16 +73,16 @@ unsigned packing_i_table_column(const packing_i_table *t, unsigned spec)
   return c;
 }
 
-static packing_i_number parse_cell(packing_i_cell_kind kind, const char **at,
-                                   packing_i_cell *cell)
+static packing_i_number parse_cell(packing_i_table_kind kind, const char **at,
+                                   packing_i_table_cell *cell)
 {
   int64_t n;
-  if (kind == PACKING_I_CELL_REAL)
+  if (kind == PACKING_I_TABLE_REAL)
     return packing_i_parse_double(at, &cell->real);
   const packing_i_number found = packing_i_parse_int(at, &n);
   if (found != PACKING_I_NUMBER_OK)
     return found;
-  if (kind == PACKING_I_CELL_INT64)
+  if (kind == PACKING_I_TABLE_INT64)
     cell->int64 = n;
   else if (n < INT32_MIN || n > INT32_MAX)
     return PACKING_I_NUMBER_LARGE;
@@ -103,11 +103,11 @@ static unsigned count_cells(const char *at, const char *end)
 static packing_status cell_fail(packing_i_table *t, unsigned column, const char *at,
                                 const char *end, packing_i_number found)
 {
-  const packing_i_cell_spec *spec = &t->specs[t->spec_of[column]];
+  const packing_i_table_spec *spec = &t->specs[t->spec_of[column]];
   const char *comma = memchr(at, ',', (size_t)(end - at));
   return packing_i_number_fail(
       &t->lines, spec->name, at, comma == NULL ? end : comma, found,
-      spec->kind == PACKING_I_CELL_REAL ? "a finite number" : "a whole number");
+      spec->kind == PACKING_I_TABLE_REAL ? "a finite number" : "a whole number");
 }
 
 static packing_status wrong_count(packing_i_table *t, const char *at, const char *end)
@@ -118,7 +118,7 @@ static packing_status wrong_count(packing_i_table *t, const char *at, const char
                               count == 1 ? "" : "s", t->columns);
 }
 
-packing_status packing_i_table_row(packing_i_table *t, packing_i_cell *cells,
+packing_status packing_i_table_row(packing_i_table *t, packing_i_table_cell *cells,
                                    size_t stride, int *got)
 {
   const char *first, *end;

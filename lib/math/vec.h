@@ -36,6 +36,12 @@ static inline double packing_i_dot(packing_vec3 a, packing_vec3 b)
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+static inline packing_vec3 packing_i_cross(packing_vec3 a, packing_vec3 b)
+{
+  return packing_i_vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                       a.x * b.y - a.y * b.x);
+}
+
 static inline double packing_i_norm(packing_vec3 a)
 {
   return sqrt(packing_i_dot(a, a));

@@ -3,38 +3,18 @@
  * fewer than dim + 1 (which nothing holds in place) are taken out, over and over (as in
  * L. E. Silbert, Soft Matter 6, 2010, 2918; D. Weaire's "rattlers"). Linear in particles and
  * contacts. */
-#include "grid/grid_internal.h"
-#include "measure/measure_internal.h"
+#include "measure/contacts_internal.h"
 
-typedef struct contact {
-  size_t i;
-  size_t j;
-} contact;
-
-/* The contacts of one block: counted first, then listed from `next` on. */
-typedef struct listing {
-  double tolerance;
-  size_t count;
-  contact *next;
-} listing;
-
-typedef struct search {
-  const packing_grid *grid;
-  packing_i_grid_reach reach;
-  packing_i_pair_function fn;
-  listing *listings; /* of each block */
-} search;
-
-/* Who touches whom: partners of i are partner[start[i]] .. partner[start[i + 1] - 1]. */
-typedef struct network {
-  size_t count;
-  size_t contacts;
-  contact *list;
-  size_t *degree;
+/* What taking particles out needs. The network tells whom a particle owns contacts with; `start`
+ * and `owner` tell who owns contacts with it. */
+typedef struct removal {
+  const packing_contacts *contacts;
+  uint32_t *degree; /* contacts left */
   size_t *start;
-  size_t *partner;
-  size_t *removed; /* in order */
-} network;
+  uint32_t *owner;
+  uint32_t *removed; /* in order */
+  size_t count;
+} removal;
 
 void packing_coordination_def_fill(packing_coordination_def *def, size_t size)
 {
@@ -44,156 +24,111 @@ void packing_coordination_def_fill(packing_coordination_def *def, size_t size)
   packing_i_def_fill(def, size, &defaults, sizeof defaults);
 }
 
-static int touches(const listing *l, double d, double r_i, double r_j)
+/* Owners of contacts with each; start[] is moved to the right place by filling backwards. */
+static void connect(removal *m)
 {
-  return d - (r_i + r_j) <= l->tolerance * (r_i + r_j);
-}
-
-static void count_contact(void *arg, size_t i, size_t j, double d, double r_i, double r_j)
-{
-  listing *l = arg;
-  (void)i;
-  (void)j;
-  l->count += (size_t)touches(l, d, r_i, r_j);
-}
-
-static void list_contact(void *arg, size_t i, size_t j, double d, double r_i, double r_j)
-{
-  listing *l = arg;
-  if (!touches(l, d, r_i, r_j))
-    return;
-  l->next->i = i;
-  l->next->j = j;
-  l->next++;
-}
-
-static void search_block(void *arg, size_t block)
-{
-  const search *s = arg;
-  packing_i_grid_visit(s->grid, &s->reach, block, s->fn, &s->listings[block]);
-}
-
-/* Finds all contacts: counts them block by block, makes room, lists them. */
-static packing_status find_contacts(packing_context *context, const packing_grid *grid,
-                                    double tolerance, network *n)
-{
-  const packing_allocator *allocator = packing_i_allocator(context);
-  const size_t blocks = packing_i_grid_blocks(grid);
-  search s = {grid, {1.0 + tolerance, 0.0}, count_contact, NULL};
-  s.listings = packing_i_calloc(allocator, blocks, sizeof *s.listings);
-  if (s.listings == NULL)
-    return packing_i_nomem(context);
-  for (size_t b = 0; b < blocks; b++)
-    s.listings[b].tolerance = tolerance;
-  packing_i_parallel(context, blocks, search_block, &s);
-  for (size_t b = 0; b < blocks; b++)
-    n->contacts += s.listings[b].count;
-  n->list = packing_i_alloc(allocator, n->contacts, sizeof *n->list);
-  if (n->list != NULL) {
-    contact *next = n->list;
-    for (size_t b = 0; b < blocks; b++) {
-      s.listings[b].next = next;
-      next += s.listings[b].count;
-    }
-    s.fn = list_contact;
-    packing_i_parallel(context, blocks, search_block, &s);
-  }
-  packing_i_free(allocator, s.listings);
-  return n->list == NULL ? packing_i_nomem(context) : PACKING_OK;
-}
-
-static void count_degrees(network *n, packing_coordination_report *report)
-{
-  for (size_t k = 0; k < n->contacts; k++) {
-    n->degree[n->list[k].i]++;
-    n->degree[n->list[k].j]++;
-  }
-  for (size_t i = 0; i < n->count; i++) {
-    const size_t last = PACKING_COORDINATION_BINS - 1;
-    report->histogram[n->degree[i] < last ? n->degree[i] : last]++;
-  }
-}
-
-/* Partners of each particle; start[] is moved to the right place by filling backwards. */
-static void connect(network *n)
-{
+  const packing_contacts *c = m->contacts;
   size_t end = 0;
-  for (size_t i = 0; i < n->count; i++) {
-    end += n->degree[i];
-    n->start[i] = end;
+  for (size_t p = 0; p < c->grid->count; p++) {
+    end += m->degree[p] - (c->start[p + 1] - c->start[p]);
+    m->start[p] = end;
   }
-  n->start[n->count] = end;
-  for (size_t k = 0; k < n->contacts; k++) {
-    const contact *c = &n->list[k];
-    n->partner[--n->start[c->i]] = c->j;
-    n->partner[--n->start[c->j]] = c->i;
+  m->start[c->grid->count] = end;
+  for (size_t p = 0; p < c->grid->count; p++)
+    for (size_t k = c->start[p]; k < c->start[p + 1]; k++)
+      m->owner[--m->start[c->other[k]]] = (uint32_t)p;
+}
+
+/* A particle stands in removed[] from the moment its contacts sink below. */
+static void lose_contacts(removal *m, const uint32_t *partner, size_t count, size_t least)
+{
+  for (size_t k = 0; k < count; k++)
+    if (m->degree[partner[k]]-- == least)
+      m->removed[m->count++] = partner[k];
+}
+
+/* Takes out whoever has fewer than `least` contacts left. */
+static void remove_rattlers(removal *m, size_t least)
+{
+  const packing_contacts *c = m->contacts;
+  for (size_t p = 0; p < c->grid->count; p++)
+    if (m->degree[p] < least)
+      m->removed[m->count++] = (uint32_t)p;
+  for (size_t k = 0; k < m->count; k++) {
+    const size_t p = m->removed[k];
+    lose_contacts(m, c->other + c->start[p], c->start[p + 1] - c->start[p], least);
+    lose_contacts(m, m->owner + m->start[p], m->start[p + 1] - m->start[p], least);
   }
 }
 
-/* Takes out whoever has fewer than `least` contacts left; returns how many. A particle stands
- * in removed[] from the moment its contacts sink below. */
-static size_t remove_rattlers(network *n, size_t least)
+static size_t count_below(const removal *m, size_t least)
 {
-  size_t removed = 0;
-  for (size_t i = 0; i < n->count; i++)
-    if (n->degree[i] < least)
-      n->removed[removed++] = i;
-  for (size_t k = 0; k < removed; k++) {
-    const size_t i = n->removed[k];
-    for (size_t p = n->start[i]; p < n->start[i + 1]; p++)
-      if (n->degree[n->partner[p]]-- == least)
-        n->removed[removed++] = n->partner[p];
-  }
-  return removed;
+  size_t below = 0;
+  for (size_t p = 0; p < m->contacts->grid->count; p++)
+    below += (size_t)(m->degree[p] < least);
+  return below;
 }
 
-static packing_status find_rattlers(packing_context *context, network *n, size_t least,
-                                    packing_coordination_report *report)
+/* Nothing to link where nobody is to go, as in a crystal. */
+static packing_status find_rattlers(removal *m, size_t least)
 {
-  const packing_allocator *allocator = packing_i_allocator(context);
-  n->start = packing_i_alloc(allocator, n->count + 1, sizeof *n->start);
-  n->partner = packing_i_alloc(allocator, 2 * n->contacts, sizeof *n->partner);
-  n->removed = packing_i_alloc(allocator, n->count, sizeof *n->removed);
-  if (n->start == NULL || n->partner == NULL || n->removed == NULL)
-    return packing_i_nomem(context);
-  connect(n);
-  report->rattlers = remove_rattlers(n, least);
-  size_t ends = 0;
-  for (size_t i = 0; i < n->count; i++)
-    ends += n->degree[i];
-  for (size_t k = 0; k < report->rattlers; k++)
-    ends -= n->degree[n->removed[k]]; /* contacts with those that stay */
-  report->mean_no_rattlers = n->count == report->rattlers
-                                 ? (double)NAN
-                                 : (double)ends / (double)(n->count - report->rattlers);
+  const packing_contacts *c = m->contacts;
+  if (count_below(m, least) == 0)
+    return PACKING_OK;
+  m->start = packing_i_alloc(c->allocator, c->grid->count + 1, sizeof *m->start);
+  m->owner = packing_i_alloc(c->allocator, c->count, sizeof *m->owner);
+  m->removed = packing_i_alloc(c->allocator, c->grid->count, sizeof *m->removed);
+  if (m->start == NULL || m->owner == NULL || m->removed == NULL)
+    return packing_i_nomem(c->context);
+  connect(m);
+  remove_rattlers(m, least);
   return PACKING_OK;
 }
 
-static packing_status measure(packing_context *context, const packing_coordination_def *d,
-                              const packing_grid *grid,
-                              packing_coordination_report *report)
+static void count_degrees(const removal *m, packing_coordination_report *report)
 {
-  const packing_allocator *allocator = packing_i_allocator(context);
-  network n = {0};
-  n.count = grid->count;
-  packing_status status = find_contacts(context, grid, d->tolerance, &n);
-  if (status != PACKING_OK)
-    goto out;
-  n.degree = packing_i_calloc(allocator, n.count, sizeof *n.degree);
-  if (n.degree == NULL) {
-    status = packing_i_nomem(context);
-    goto out;
+  for (size_t p = 0; p < m->contacts->grid->count; p++) {
+    const size_t last = PACKING_COORDINATION_BINS - 1;
+    report->histogram[m->degree[p] < last ? m->degree[p] : last]++;
   }
-  report->contacts = n.contacts;
-  report->mean = n.count == 0 ? (double)NAN : 2.0 * (double)n.contacts / (double)n.count;
-  count_degrees(&n, report);
-  status = find_rattlers(context, &n, (size_t)d->dim + 1, report);
-out:
-  packing_i_free(allocator, n.list);
-  packing_i_free(allocator, n.degree);
-  packing_i_free(allocator, n.start);
-  packing_i_free(allocator, n.partner);
-  packing_i_free(allocator, n.removed);
+}
+
+/* Contacts a particle among those that are left. Whoever is out has fewer than `least`. */
+static double mean_left(const removal *m, size_t least)
+{
+  size_t ends = 0;
+  const size_t left = m->contacts->grid->count - m->count;
+  for (size_t p = 0; p < m->contacts->grid->count; p++)
+    ends += m->degree[p] < least ? 0 : m->degree[p];
+  return left == 0 ? (double)NAN : (double)ends / (double)left;
+}
+
+packing_status packing_contacts_coordination(const packing_contacts *c,
+                                             packing_coordination_report *report)
+{
+  packing_coordination_report found;
+  if (c == NULL)
+    return PACKING_ERR_INVALID;
+  const size_t count = c->grid->count, least = (size_t)c->dim + 1;
+  removal m = {c, NULL, NULL, NULL, NULL, 0};
+  packing_coordination_report_init(&found);
+  m.degree = packing_i_alloc(c->allocator, count, sizeof *m.degree);
+  if (m.degree == NULL)
+    return packing_i_nomem(c->context);
+  packing_i_contacts_count_degrees(c, m.degree);
+  count_degrees(&m, &found);
+  packing_status status = find_rattlers(&m, least);
+  if (status == PACKING_OK) {
+    found.contacts = c->count;
+    found.mean = count == 0 ? (double)NAN : 2.0 * (double)c->count / (double)count;
+    found.rattlers = m.count;
+    found.mean_no_rattlers = mean_left(&m, least);
+    status = packing_i_report_write(c->context, report, &found, sizeof found);
+  }
+  packing_i_free(c->allocator, m.degree);
+  packing_i_free(c->allocator, m.start);
+  packing_i_free(c->allocator, m.owner);
+  packing_i_free(c->allocator, m.removed);
   return status;
 }
 
@@ -204,21 +139,18 @@ packing_status packing_measure_coordination(packing_context *context,
                                             packing_coordination_report *report)
 {
   packing_coordination_def d;
-  packing_view v;
-  packing_grid *grid = NULL;
+  packing_contacts_def contacts_def;
+  packing_contacts *contacts = NULL;
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_coordination, dim, def, &d));
-  PACKING_I_TRY(packing_i_check_not_negative(context, "tolerance", d.tolerance));
   if (d.dim != 2 && d.dim != 3)
     return packing_i_fail(context, PACKING_ERR_RANGE, "dim", PACKING_NO_INDEX,
                           "%d, must be 2 or 3", d.dim);
-  PACKING_I_TRY(packing_i_measure_view(context, view, &v));
-  packing_coordination_report found;
-  packing_coordination_report_init(&found);
-  PACKING_I_TRY(packing_i_grid_build(context, PACKING_I_GRID_LEVELS, domain, &v, NULL,
-                                     v.count, &grid));
-  const packing_status status = measure(context, &d, grid, &found);
-  packing_grid_destroy(grid);
-  if (status != PACKING_OK)
-    return status;
-  return packing_i_report_write(context, report, &found, sizeof found);
+  packing_contacts_def_init(&contacts_def);
+  contacts_def.tolerance = d.tolerance;
+  contacts_def.dim = d.dim;
+  contacts_def.walls = 0;
+  PACKING_I_TRY(packing_contacts_create(context, &contacts_def, domain, view, &contacts));
+  const packing_status status = packing_contacts_coordination(contacts, report);
+  packing_contacts_destroy(contacts);
+  return status;
 }

@@ -4,7 +4,7 @@
 
 /* What the measures share: checks of views, blocks, sums that keep what rounding drops. */
 
-#include "base_internal.h"
+#include "domain/domain_internal.h"
 #include <math.h>
 #include <packing/measure.h>
 
@@ -41,6 +41,16 @@ static inline double packing_i_sum_value(const packing_i_sum *s)
   return s->sum + s->rest;
 }
 
+/* Whether a ball is away from the walls of a box or rectangle (most particles are); always 0 for
+ * `walls` NULL. */
+static inline int packing_i_measure_is_clear(const packing_i_planar *walls,
+                                             packing_vec3 p, double r)
+{
+  return walls != NULL && p.x - walls->wall_lo[0] >= r && walls->wall_hi[0] - p.x >= r &&
+         p.y - walls->wall_lo[1] >= r && walls->wall_hi[1] - p.y >= r &&
+         p.z - walls->wall_lo[2] >= r && walls->wall_hi[2] - p.z >= r;
+}
+
 /* Today's copy of the caller's view. */
 packing_status packing_i_measure_view(packing_context *context, const packing_view *view,
                                       packing_view *copy);
@@ -51,5 +61,11 @@ int packing_i_measure_is_good(const packing_view *view, size_t i, int flat);
 /* All particles are; the message names the first that is not. */
 packing_status packing_i_measure_check(packing_context *context, const packing_view *view,
                                        int flat);
+
+/* The part of a container at least `margin` from its walls. Where nothing is left, which is no
+ * failure, *inner stays as it is. `field` is named when it cannot be made. */
+packing_status packing_i_measure_inner(packing_context *context, const char *field,
+                                       packing_domain *domain, double margin,
+                                       packing_domain **inner);
 
 #endif

@@ -91,10 +91,10 @@ static double largest_radius(const packing_view *v)
   return largest;
 }
 
-/* NULL where the inner region is empty, which is no failure: a context of its own keeps that
- * out of the log. */
-static packing_status make_inner(packing_context *context, packing_domain *domain,
-                                 double margin, packing_domain **inner)
+/* A context of its own keeps an empty region out of the log. */
+packing_status packing_i_measure_inner(packing_context *context, const char *field,
+                                       packing_domain *domain, double margin,
+                                       packing_domain **inner)
 {
   packing_context_def def;
   packing_context *quiet = NULL;
@@ -109,7 +109,7 @@ static packing_status make_inner(packing_context *context, packing_domain *domai
     return PACKING_OK;
   if (status == PACKING_ERR_NOMEM)
     return packing_i_nomem(context);
-  return packing_i_fail(context, status, "inner_margin", PACKING_NO_INDEX,
+  return packing_i_fail(context, status, field, PACKING_NO_INDEX,
                         "no inner region at %g from the walls", margin);
 }
 
@@ -120,7 +120,7 @@ static packing_status measure_inner(packing_context *context, cut *c,
   packing_domain *inner = NULL;
   double error = 0;
   report->inner_fraction = (double)NAN;
-  PACKING_I_TRY(make_inner(context, domain, margin, &inner));
+  PACKING_I_TRY(packing_i_measure_inner(context, "inner_margin", domain, margin, &inner));
   if (inner == NULL)
     return PACKING_OK;
   c->region = inner;

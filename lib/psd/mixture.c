@@ -55,6 +55,16 @@ static void finish(packing_psd *psd)
 static const packing_i_psd_ops ops = {
     "mixture", "sum of share times part", cdf, packing_i_psd_bisect, point, 2, finish};
 
+const packing_psd *packing_i_psd_part(const packing_psd *psd, size_t i)
+{
+  return psd->ops == &ops ? ((const mixture *)psd)->part[i] : psd;
+}
+
+double packing_i_psd_part_share(const packing_psd *psd, packing_by by, size_t i)
+{
+  return psd->ops == &ops ? share_of((const mixture *)psd, by, i) : 1;
+}
+
 void packing_psd_mixture_def_fill(packing_psd_mixture_def *def, size_t size)
 {
   packing_psd_mixture_def defaults = {0};

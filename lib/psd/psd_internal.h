@@ -75,6 +75,10 @@ double packing_i_psd_point(const packing_psd *psd, packing_by by, double u, doub
 double packing_i_psd_radius(const packing_psd *psd, packing_by by, double u, double v,
                             size_t *component);
 
+/* Part i of a mixture, and its share; of any other law part 0 is itself. */
+const packing_psd *packing_i_psd_part(const packing_psd *psd, size_t i);
+double packing_i_psd_part_share(const packing_psd *psd, packing_by by, size_t i);
+
 /* The smallest x with cdf at least p, by bisection down to neighbouring doubles. */
 double packing_i_psd_bisect(const packing_psd *psd, packing_by by, double p);
 

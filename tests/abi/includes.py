@@ -18,13 +18,18 @@ BELOW = {
     "domain": {"base", "math"},
     "particles": {"base", "math"},
     "grid": {"base", "math", "domain", "particles"},
-    "place": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid"},
+    "delaunay": {"base", "math"},
+    "place": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid",
+              "delaunay"},
     "dem": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid"},
-    "measure": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid"},
+    "measure": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid",
+                "delaunay"},
     "io": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid"},
 }
 # Public headers named otherwise than their module.
-MODULE_OF = {"types": "base", "placer": "place", "readers": "io", "writers": "io"}
+MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure", "order": "measure",
+             "pores": "measure", "porosity": "measure", "sizes": "measure", "readers": "io",
+             "writers": "io"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},

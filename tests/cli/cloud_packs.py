@@ -23,7 +23,7 @@ KEYS = {
     "solid_volume": None, "volume_fraction": None, "porosity": None, "void_ratio": None,
     "volume_fraction_inner": None,
     "coordination": ["mean", "mean_no_rattlers", "rattlers", "histogram", "tolerance"],
-    "fabric": ["eigenvalues", "sd"],
+    "fabric": ["eigenvalues", "sd", "tensor", "contacts", "noise_floor"],
     "audit": ["max_overlap", "max_protrusion", "limit", "passed"],
     "psd": ["ks", "ks_limit", "ks_mass", "unplaced", "mean_relative_error"],
     "time": ["place", "settle", "measure", "total"],
@@ -81,7 +81,8 @@ def report_has_every_key(program):
     equal(report["domain_volume"], 64.0, "domain_volume")
     equal(report["input"], None, "input")
     equal(sum(report["coordination"]["histogram"]), 40, "sum of the histogram")
-    equal(report["fabric"], {"eigenvalues": None, "sd": None}, "fabric")
+    equal(report["fabric"], {"eigenvalues": None, "sd": None, "tensor": None, "contacts": 0,
+                             "noise_floor": None}, "fabric of a pack without contacts")
     equal(report["time"]["settle"], None, "time.settle")
     holds(abs(report["porosity"] + report["volume_fraction"] - 1) < 1e-15, "porosity")
 

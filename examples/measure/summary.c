@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The summary for people: one thing a line, on standard error. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include "../common/canvas.h"
+#include "measure.h"
+
+__attribute__((format(printf, 2, 3))) static void say(const char *what,
+                                                      const char *format, ...)
+{
+  va_list arguments;
+  fprintf(stderr, "%-17s", what);
+  va_start(arguments, format);
+  vfprintf(stderr, format, arguments);
+  va_end(arguments);
+  fputc('\n', stderr);
+}
+
+static void say_pack(const measure_job *job)
+{
+  const sizes_found *s = &job->sizes;
+  char count[40];
+  canvas_format_count(count, sizeof count, job->view.count);
+  if (!s->made)
+    say("pack", "%s: no particles", job->asked->in.path);
+  else if (s->lo == s->hi)
+    say("pack", "%s: %s %s of radius %.6g", job->asked->in.path, count,
+        job->spec.dim == 2 ? "discs" : "spheres", s->lo);
+  else
+    say("pack", "%s: %s %s, radii %.6g to %.6g, mean %.6g", job->asked->in.path, count,
+        job->spec.dim == 2 ? "discs" : "spheres", s->lo, s->hi, s->mean);
+}
+
+static void say_void(const report *r)
+{
+  char inner[80] = "";
+  if (isfinite(r->volume_fraction_inner))
+    snprintf(inner, sizeof inner, "; away from the walls %.4f", r->volume_fraction_inner);
+  say("volume fraction", "%.4f, porosity %.4f%s", r->volume_fraction,
+      1 - r->volume_fraction, inner);
+}
+
+static void say_contacts(const measure_job *job)
+{
+  const report *r = &job->report;
+  const packing_classes_report *c = &job->classes;
+  if (!job->contacts)
+    return;
+  char rest[80] = "all are rattlers";
+  if (isfinite(r->coordination_mean_no_rattlers))
+    snprintf(rest, sizeof rest, "%.3f without %zu rattlers",
+             r->coordination_mean_no_rattlers, r->rattlers);
+  say("coordination", "%.3f; %s; %zu contacts with walls", r->coordination_mean, rest,
+      packing_contacts_wall_count(job->contacts));
+  say("stability", "firm %.1f %%, stable %.1f %%, non stable %.1f %%",
+      100 * c->firm_share, 100 * c->stable_share, 100 * c->non_stable_share);
+}
+
+static void say_fabric(const report_fabric *f)
+{
+  char third[32] = "";
+  if (!f->known || f->count == 0)
+    return;
+  if (f->dim == 3)
+    snprintf(third, sizeof third, " %.4f", f->eigenvalues[2]);
+  say("fabric", "%.4f %.4f%s, sd %.4f (of %zu random contacts %.4f)", f->eigenvalues[0],
+      f->eigenvalues[1], third, f->sd, f->count, f->noise_floor);
+}
+
+static void say_order(const measure_job *job)
+{
+  const order_found *o = &job->order;
+  if (!o->made)
+    return;
+  if (job->spec.dim == 2)
+    say("order", "psi_6 mean %.4f, global %.4f; %.1f %% with six neighbours",
+        o->hexatic.mean, o->hexatic.whole, 100 * o->hexatic.share);
+  else
+    say("order", "Q4 %.4f, Q6 %.4f; local means %.4f, %.4f", o->q4.whole, o->q6.whole,
+        o->q4.mean, o->q6.mean);
+}
+
+static void say_sizes(const measure_job *job)
+{
+  const packing_size_tests_report *t = &job->sizes.tests;
+  if (!job->psd || !job->sizes.made)
+    return;
+  say("sizes", "Kolmogorov-Smirnov %.4f (p %.3g), chi-square p %.3g; by mass MAE %.3g %%",
+      t->ks, t->ks_p, t->chi_square_p, job->sizes.errors.mae);
+}
+
+static void say_sections(const measure_job *job)
+{
+  for (size_t i = 0; job->sections && i < job->asked->section_count; i++) {
+    const section_found *s = &job->sections[i];
+    for (size_t k = 0; k < s->count; k++)
+      say(k == 0 ? "sections" : "", "%s = %.6g: void %.4f",
+          axis_name(job->asked->sections[i].axis), s->planes[k].height,
+          s->planes[k].report.porosity);
+  }
+}
+
+static void say_pores(const measure_job *job)
+{
+  const packing_pores_report *r = &job->pores.report;
+  if (!job->pores.network)
+    return;
+  say("pores", "%zu, radii %.6g to %.6g, mean %.6g", r->pores, r->min_r, r->max_r,
+      r->mean_r);
+  say("constrictions", "%zu, radii %.6g to %.6g, mean %.6g", r->constrictions,
+      r->min_constriction_r, r->max_constriction_r, r->mean_constriction_r);
+}
+
+void measure_summary(const measure_job *job)
+{
+  const report *r = &job->report;
+  say_pack(job);
+  say("container", "%s, %s %.6g", job->domain_text,
+      job->spec.dim == 2 ? "area" : "volume", r->domain_volume);
+  say("audit", "%s: overlap %.3g, protrusion %.3g, limit %.3g",
+      r->audit_passed ? "passed" : "FAILED", r->max_overlap, r->max_protrusion,
+      r->audit_limit);
+  say_void(r);
+  say_contacts(job);
+  say_fabric(&r->fabric);
+  say_order(job);
+  say_sizes(job);
+  say_sections(job);
+  say_pores(job);
+}
