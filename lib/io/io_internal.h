@@ -46,6 +46,7 @@ int32_t packing_i_view_int(const packing_column *column, size_t i, int32_t absen
 double packing_i_view_largest_r(const packing_view *view);
 /* The box around all particles, of which there is one at least. */
 packing_bounds packing_i_io_around(const packing_view *view);
+int packing_i_io_box_unset(const packing_bounds *box); /* all zeros */
 /* The box of a cell: `given` when it is not all zeros, else around the particles. A flat
  * one is one largest diameter thick around z = 0. Refuses what is empty or not finite. */
 packing_status packing_i_io_box(packing_context *context, const packing_view *view,

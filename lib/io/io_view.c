@@ -114,7 +114,7 @@ packing_status packing_i_io_view(packing_context *context, const packing_view *f
   return check_dim(context, to, dim);
 }
 
-static int is_unset(const packing_bounds *b)
+int packing_i_io_box_unset(const packing_bounds *b)
 {
   return b->lo.x == 0 && b->lo.y == 0 && b->lo.z == 0 && b->hi.x == 0 && b->hi.y == 0 &&
          b->hi.z == 0;
@@ -159,10 +159,10 @@ packing_status packing_i_io_box(packing_context *context, const packing_view *vi
                                 const packing_bounds *given, int flat,
                                 packing_bounds *box)
 {
-  if (is_unset(given) && view->count == 0)
+  if (packing_i_io_box_unset(given) && view->count == 0)
     return packing_i_fail(context, PACKING_ERR_INVALID, "box", PACKING_NO_INDEX,
                           "no particles to go around: a box is needed");
-  *box = is_unset(given) ? packing_i_io_around(view) : *given;
+  *box = packing_i_io_box_unset(given) ? packing_i_io_around(view) : *given;
   if (flat && (view->count > 0 || box->lo.z == box->hi.z)) {
     box->hi.z = view->count > 0
                     ? packing_i_view_largest_r(view)

@@ -122,7 +122,7 @@ static void segment(const turn *t, ring a, ring b)
 static void visit_revolution(turn *t, const packing_i_revolution *p)
 {
   const double wider = 1 / cos(PACKING_I_PI / t->facets);
-  ring outer[PACKING_I_KNOTS], inner[PACKING_I_KNOTS];
+  ring outer[PACKING_I_KNOTS] = {{0, 0}}, inner[PACKING_I_KNOTS] = {{0, 0}};
   const int last = p->knots - 1;
   for (int i = 0; i <= last; i++) {
     outer[i] = (ring){packing_i_revolution_outer(p, p->knot[i]) * wider, p->knot[i]};

@@ -104,8 +104,7 @@ static packing_bounds around_domain(const packing_i_pack *pack)
 
 static packing_status find_box(packing_context *context, packing_i_pack *pack)
 {
-  const packing_bounds unset = {{0, 0, 0}, {0, 0, 0}};
-  const int given = memcmp(&pack->def.box, &unset, sizeof unset) != 0;
+  const int given = !packing_i_io_box_unset(&pack->def.box);
   const packing_bounds box =
       given || pack->def.domain == NULL ? pack->def.box : around_domain(pack);
   return packing_i_io_box(context, &pack->view, &box, pack->def.dim == 2, &pack->box);
