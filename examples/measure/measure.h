@@ -17,7 +17,7 @@ typedef struct profile_ask {
   packing_profile_kind kind;
   packing_axis axis;
   size_t bins;
-  char name[8]; /* "x", "radius", "sphere" */
+  char name[16]; /* "x", "radius", "sphere" */
 } profile_ask;
 
 /* --section */
