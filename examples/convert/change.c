@@ -157,6 +157,29 @@ static int crop(convert_job *job, const change *c)
   return status == PACKING_OK ? 0 : convert_failed(job, c, status);
 }
 
+/* ---- ids ---- */
+
+packing_status convert_number_ids(packing_particles *particles)
+{
+  const size_t count = packing_particles_count(particles);
+  int64_t *ids = program_take(count, sizeof *ids);
+  for (size_t i = 0; i < count; i++)
+    ids[i] = (int64_t)i + 1;
+  const packing_status status =
+      packing_particles_set(particles, PACKING_FIELD_ID, ids, sizeof *ids);
+  free(ids);
+  return status;
+}
+
+static int renumber(convert_job *job, const change *c)
+{
+  packing_particles *particles = job->asked->in.particles;
+  packing_status status = packing_particles_add_columns(particles, PACKING_COLUMN_ID);
+  if (status == PACKING_OK)
+    status = convert_number_ids(particles);
+  return status == PACKING_OK ? 0 : convert_failed(job, c, status);
+}
+
 /* ---- all of them ---- */
 
 typedef int (*changer)(convert_job *job, const change *c);
@@ -166,7 +189,7 @@ int convert_change(convert_job *job)
   static const changer changers[] = {
       [CHANGE_CROP] = crop,         [CHANGE_SCALE] = scale,
       [CHANGE_SHIFT] = shift,       [CHANGE_REPLICATE] = convert_replicate,
-      [CHANGE_BOND] = convert_bond,
+      [CHANGE_BOND] = convert_bond, [CHANGE_RENUMBER] = renumber,
   };
   const convert_options *o = job->asked;
   int code = 0;

@@ -15,7 +15,8 @@ typedef enum change_kind {
   CHANGE_SCALE,
   CHANGE_SHIFT,
   CHANGE_REPLICATE,
-  CHANGE_BOND
+  CHANGE_BOND,
+  CHANGE_RENUMBER
 } change_kind;
 
 typedef struct change {
@@ -68,6 +69,7 @@ double *convert_take_numbers(size_t count);
 int convert_set_domain(convert_job *job, const char *option, char *text);
 int convert_replicate(convert_job *job, const change *c);
 int convert_bond(convert_job *job, const change *c);
+packing_status convert_number_ids(packing_particles *particles);
 
 /* Makes the report and the files. */
 int convert_write(convert_job *job, const char *command);

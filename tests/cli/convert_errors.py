@@ -5,7 +5,10 @@ from cli import BAD_INPUT, SYSTEM, main, refuses
 
 ROWS = "x,y,z,r\n1,1,1,0.5\n2,1,1,0.5\n1,2,1,0.5\n3,3,3,0.5\n"
 FILES = [("p.csv", ROWS), ("f.csv", "# domain: rect:4,4\nx,y,r\n1,1,0.5\n2,1,0.5\n"),
-         ("b.csv", "# domain: box:4,4,4+periodic\n" + ROWS)]
+         ("b.csv", "# domain: box:4,4,4+periodic\n" + ROWS),
+         ("g.geo", "LSMGeometry 1.2\nBoundingBox 0 0 0 4 4 4\nPeriodicBoundaries 0 0 0\n"
+                   "Dimension 3D\nBeginParticles\nSimple\n1\n2 2 2 1 0 1\nEndParticles\n"
+                   "BeginConnect\n0\nEndConnect\n")]
 IN, FLAT, BOX = ["--in", "p.csv"], ["--in", "f.csv", "--quiet"], ["--in", "b.csv", "--quiet"]
 
 
@@ -57,6 +60,8 @@ TESTS = [
     option("--replicate", "1000000,1000000,1", words=["--replicate", "particles"], start=BOX),
     option("--bond", "-1", words=["--bond", "below 0"]),
     option("--bond", "x", words=["--bond", "'x'"]),
+    output("ids that begin at 0", "--out", "a.data", words=["a.data", "--renumber"],
+           start=["--in", "g.geo", "--quiet"]),
     option("--density", "0", words=["--density"]),
     option("--domain", "rect:4,4", words=["--domain", "flat"]),
     option("--dim", "2", words=["--dim", "p.csv"]),
