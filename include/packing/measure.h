@@ -50,6 +50,11 @@ typedef struct packing_audit_report {
   size_t
       bad_numbers; /**< particles with NaN, infinity or r <= 0; they are left out above */
   size_t bad_number_i; /**< the first of them, or #PACKING_NO_INDEX */
+  double min_gap; /**< smallest (distance - r_i - r_j) / min(r_i, r_j), nearest and own
+            images included; -max_overlap where there is one; +infinity where there is no pair
+            [1] */
+  size_t gap_i;   /**< the pair of min_gap, or #PACKING_NO_INDEX */
+  size_t gap_j;   /**< the pair of min_gap, or #PACKING_NO_INDEX */
 } packing_audit_report;
 
 /** Makes an empty report.
@@ -60,8 +65,8 @@ static inline void packing_audit_report_init(packing_audit_report *report)
   report->struct_size = sizeof *report;
 }
 
-/** Checks a pack: overlaps, protrusion from the container, duplicates, bad numbers. Ties go to
- *  the lowest index.
+/** Checks a pack: overlaps, the smallest gap, protrusion from the container, duplicates, bad
+ *  numbers. A pair is judged by its nearest image. Ties go to the lowest index.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain the container; NULL: no walls, not periodic
@@ -173,12 +178,12 @@ static inline void packing_coordination_report_init(packing_coordination_report 
   report->struct_size = sizeof *report;
 }
 
-/** Counts contacts. In a periodic cell a pair counts once, by its nearest image, and no particle
- *  touches its own: a cell no wider than two diameters has more contacts than are counted.
+/** Counts contacts: packing_contacts_create() without walls and packing_contacts_coordination()
+ *  in one. In a periodic cell every image counts, also a particle's own (on both sides of it).
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain gives the periodic directions; NULL: none
- *  \param view the pack: finite, radii > 0
+ *  \param view the pack: finite, radii > 0, fewer than 2^32 particles
  *  \param[out] report what was found
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE; PACKING_ERR_NOMEM;
  *          PACKING_ERR_ABI. Linear time */

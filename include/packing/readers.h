@@ -120,7 +120,7 @@ static inline void packing_read_info_init(packing_read_info *info)
  *  \param[out] info what else the file tells; NULL is fine
  *  \return PACKING_OK; PACKING_ERR_FORMAT (message and log name the line, or the byte);
  *          PACKING_ERR_INVALID (NULL, an unknown format, options that contradict each other);
- *          PACKING_ERR_RANGE (the store is not empty, a frame that is not there);
+ *          PACKING_ERR_RANGE (the store is not empty, a frame that is not there, `sort`);
  *          PACKING_ERR_UNSUPPORTED (clumps; compressed in a library built without zlib); what
  *          the stream returns; PACKING_ERR_NOMEM; PACKING_ERR_ABI. Linear time */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_read_pack(

@@ -128,13 +128,13 @@ static void choose_axes(packing_grid *g, const packing_i_grid_source *s)
 
 /* As wide as a diameter, or, where pairs are met farther apart, so that the reach is a whole
  * number of cells: a little more than that would take another row on each side. More than a few
- * cells offer hardly less, in more rows. */
+ * cells offer hardly less, in more rows. The slack holds a 64th of a diameter. */
 static double cell_width(const packing_i_grid_source *s,
                          const packing_i_grid_reach *reach)
 {
   const double diameter = 2.0 * s->r_max;
   const double far = reach == NULL ? 0 : diameter * reach->factor + reach->gap;
-  if (!(far > diameter))
+  if (!(far > diameter * (1 + 1.0 / 64)))
     return diameter * CELL_SLACK;
   return far / fmin(floor(far / diameter), CELLS_OF_REACH) * CELL_SLACK;
 }

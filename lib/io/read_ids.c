@@ -68,7 +68,7 @@ packing_status packing_i_ids_begin(packing_i_read *read, packing_i_ids *ids)
   const int64_t *id = p->column[PACKING_FIELD_ID];
   ids->pairs = NULL;
   ids->count = p->count;
-  if (id == NULL)
+  if (!(packing_particles_columns(p) & PACKING_COLUMN_ID))
     return packing_i_fail(read->context, PACKING_ERR_FORMAT, "sort", PACKING_NO_INDEX,
                           "the file has no ids");
   ids->pairs =

@@ -34,7 +34,7 @@ typedef struct search {
 
 /* The best so far about one particle, in order. */
 typedef struct ball {
-  const size_t *index; /* in the view, of each place */
+  const packing_neighbours *neighbours;
   size_t self;
   size_t wanted;
   double reach;
@@ -60,18 +60,21 @@ static int is_self(const ball *b, size_t place)
   return place == b->self && b->image[0] == 0 && b->image[1] == 0 && b->image[2] == 0;
 }
 
+/* The distance is taken again from the bond itself, where images on either side are equally far. */
 static void offer(void *arg, size_t place, packing_vec3 d, double distance)
 {
   ball *b = arg;
-  const candidate c = {distance, {place, {b->image[0], b->image[1], b->image[2]}}};
+  candidate c = {0, {place, {b->image[0], b->image[1], b->image[2]}}};
   (void)d;
-  if (!(distance <= b->reach) || is_self(b, place))
+  (void)distance;
+  c.distance = packing_i_norm(packing_i_bond_vector(b->neighbours, b->self, &c.bond));
+  if (!(c.distance <= b->reach) || is_self(b, place))
     return;
   b->met++;
-  if (b->held == b->wanted && !is_closer(b->index, &c, &b->list[b->held - 1]))
+  if (b->held == b->wanted && !is_closer(b->neighbours->index, &c, &b->list[b->held - 1]))
     return;
   size_t at = b->held < b->wanted ? b->held++ : b->held - 1;
-  for (; at > 0 && is_closer(b->index, &c, &b->list[at - 1]); at--)
+  for (; at > 0 && is_closer(b->neighbours->index, &c, &b->list[at - 1]); at--)
     b->list[at] = b->list[at - 1];
   b->list[at] = c;
 }
@@ -146,7 +149,7 @@ static void search_block(void *arg, size_t block)
   const size_t end = packing_i_measure_block_end(block, s->neighbours->count);
   double reach = s->reach;
   ball b = {0};
-  b.index = s->neighbours->index;
+  b.neighbours = s->neighbours;
   b.wanted = s->wanted;
   for (size_t i = block * PACKING_I_MEASURE_BLOCK; i < end; i++)
     reach = search_one(s, &b, i, reach);

@@ -79,6 +79,14 @@ static double height_over(const packing_i_tangency *t, packing_vec3 p)
   return packing_i_dot(t->normal, packing_i_sub(p, t->origin));
 }
 
+static double smallest(const double *r, int count)
+{
+  double least = r[0];
+  for (int i = 1; i < count; i++)
+    least = fmin(least, r[i]);
+  return least;
+}
+
 static void set_open(packing_i_pore_edge *e, const face *f)
 {
   const int smaller = f->radius[1] < f->radius[0];
@@ -116,8 +124,9 @@ static void fill_edge(const packing_i_pore_network *n, packing_i_pore_edge *e)
     const double up = height_over(&t, f.apex);
     if (height_over(&t, f.end[0]) * up < 0 || height_over(&t, f.end[1]) * up > 0) {
       set_open(e, &f);
-    } else if (packing_i_tangency_radii(&t, radii) == 0) {
-      e->radius = 0;
+    } else if (packing_i_tangency_radii(&t, radii) == 0 ||
+               radii[0] <= n->def.tolerance * smallest(f.r, n->dim)) {
+      e->radius = 0; /* particles that touch leave a gap of rounding errors */
     } else if (radii[0] > least) {
       set_open(e, &f);
     } else {
