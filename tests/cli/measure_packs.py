@@ -129,13 +129,17 @@ def discs_have_their_numbers(program):
     near(report["measures"]["pores"]["min_r"], 1 / SQRT3 - .5, 1e-9, "pore")
 
 
+NETWORK = ["n-pores.csv", "n-constrictions.csv", "n.vtp", "n_node1.dat", "n_node2.dat",
+           "n_link1.dat", "n_link2.dat"]
+
+
 def pores_of_the_cubic_lattice(program):
     """Three by three cells; its pores and constrictions are those of a cube and a square."""
     centres = [(x + .5, y + .5, z + .5, .5) for x in range(3) for y in range(3)
                for z in range(3)]
     report, files, _ = measured(program, table(centres, "box:3,3,3+periodic"),
                                 "--pore-network", "n",
-                                files=("n-pores.csv", "n-constrictions.csv"))
+                                files=NETWORK)
     pores = report["measures"]["pores"]
     for end in ("min_r", "max_r"):
         near(pores[end], (SQRT3 - 1) / 2, 1e-9, end)
@@ -144,6 +148,7 @@ def pores_of_the_cubic_lattice(program):
     equal(len(lines), 1 + pores["pores"], "rows of pores")
     lines = files["n-constrictions.csv"].decode().splitlines()
     equal(len(lines), 1 + pores["constrictions"], "rows of constrictions")
+    equal(len(files["n_node2.dat"].splitlines()), pores["pores"], "nodes")
     share = pores["distribution"]["share"]
     equal((share[0], share[-1], len(share)), (0, 1, len(pores["distribution"]["pore_r"])),
           "shares")
