@@ -278,14 +278,6 @@ static char *box_of_file(const input *in, int dim)
   return input_box_text(dim, &in->info.box, periodic);
 }
 
-static void tell_source(const input *in, const char *text)
-{
-  const int unsure = !in->domain_note && !in->info.has_periodic;
-  program_remark("the container is %s, as %s says%s", text, in->path,
-                 unsure ? "; whether it is periodic, it does not say: taken as walls"
-                        : "");
-}
-
 int input_domain(const input *in, const char *asked, domain_spec *spec, char **text)
 {
   const int dim = in->dim ? in->dim : in->info.dim;
@@ -305,7 +297,14 @@ int input_domain(const input *in, const char *asked, domain_spec *spec, char **t
   if (in->dim && spec->dim != in->dim)
     return program_fail(PROGRAM_BAD_INPUT, "--dim: %s has %d dimensions", *text,
                         spec->dim);
-  if (!asked)
-    tell_source(in, *text);
   return 0;
+}
+
+void input_tell_domain(const input *in, const char *asked, const char *text)
+{
+  const int unsure = !in->domain_note && !in->info.has_periodic;
+  if (!asked && text)
+    program_remark("the container is %s, as %s says%s", text, in->path,
+                   unsure ? "; whether it is periodic, it does not say: taken as walls"
+                          : "");
 }

@@ -41,8 +41,9 @@ typedef struct convert_job {
   convert_options *asked;
   packing_context *context;
   input_files files;
-  domain_spec spec;  /* of kind DOMAIN_NONE: no container */
-  char *domain_text; /* of spec */
+  domain_spec spec;   /* of kind DOMAIN_NONE: no container */
+  char *domain_text;  /* of spec */
+  char *first_domain; /* the same before any change */
   packing_domain *domain;
   packing_bond *bonds; /* of the particles as they are now */
   size_t bond_count;
