@@ -89,8 +89,8 @@ typedef struct compare_job {
 int compare_read(compare_job *job, const char *option, const char *path, char **text,
                  size_t *length);
 
-/* Adds the numbers of a report (by the key) or the radii of a pack to a set. */
-int compare_add_file(compare_job *job, const char *option, const char *path,
+/* Adds the numbers of a report (by the key) or the radii of a pack, [FORMAT:]FILE, to a set. */
+int compare_add_file(compare_job *job, const char *option, const char *name,
                      compare_set *set);
 
 /* Adds one set for each column of a file of numbers. */

@@ -27,8 +27,10 @@ enum {
 static const struct argp_option table[] = {
     {NULL, 0, NULL, 0, "Sets of numbers, as many as wanted:", 1},
     {"a", KEY_A, "FILE...", 0,
-     "the set named a: a number of each report (--key), or the radii of packs (csv). A "
-     "report of several packs gives as many numbers",
+     "the set named a: a number of each report (--key; a report of several packs gives "
+     "as "
+     "many), or the radii of packs, each as [FORMAT:]FILE in the formats that "
+     "packing-convert reads",
      1},
     {"b", KEY_B, "FILE...", 0, "the set named b", 1},
     {"set", KEY_SET, "NAME=FILE...", 0, "a set of any name; may be repeated", 1},

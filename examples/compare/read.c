@@ -128,6 +128,11 @@ static int parse_report(const compare_job *job, const char *option, const char *
 
 /* ---- packs ---- */
 
+typedef struct named_file {
+  const char *path;
+  char format[16];
+} named_file;
+
 typedef struct memory {
   const char *text;
   size_t length, at;
@@ -143,16 +148,13 @@ static packing_status read_memory(void *user, void *buffer, size_t capacity,
   return PACKING_OK;
 }
 
-static packing_status read_pack(packing_context *context, const char *text, size_t length,
-                                int dim, packing_particles **particles)
+static packing_status read_pack(packing_context *context, const char *format,
+                                const char *text, size_t length,
+                                packing_particles *particles)
 {
-  packing_particles_def def;
   memory m = {text, length, 0};
   const packing_stream stream = {read_memory, NULL, &m};
-  packing_particles_def_init(&def);
-  def.dim = dim;
-  const packing_status status = packing_particles_create(context, &def, particles);
-  return status == PACKING_OK ? packing_read_csv(context, &stream, *particles) : status;
+  return packing_read_pack(context, NULL, format, &stream, particles, NULL);
 }
 
 static void add_radii(const packing_particles *particles, compare_set *set)
@@ -163,38 +165,66 @@ static void add_radii(const packing_particles *particles, compare_set *set)
     compare_add_value(set, pack_number(&view.r, i));
 }
 
-/* A table without z is of two dimensions, which only its reader knows. */
-static int parse_pack(compare_job *job, const char *option, const char *path,
+static int unknown_format(const char *option, const char *path)
+{
+  char known[256] = "";
+  const char *name;
+  for (size_t i = 0; (name = packing_read_format(i)) != NULL; i++)
+    spec_list(known, sizeof known, name);
+  return program_fail(PROGRAM_BAD_INPUT,
+                      "%s: %s is no JSON, and has neither a known extension nor FORMAT: "
+                      "before it; known are %s",
+                      option, path, known);
+}
+
+static int parse_pack(compare_job *job, const char *option, const named_file *file,
                       const char *text, size_t length, compare_set *set)
 {
   packing_particles *particles = NULL;
-  packing_status status = read_pack(job->context, text, length, 3, &particles);
-  if (status == PACKING_ERR_RANGE) {
-    packing_particles_destroy(particles);
-    particles = NULL;
-    status = read_pack(job->context, text, length, 2, &particles);
-  }
+  if (!*file->format)
+    return unknown_format(option, file->path);
+  packing_status status = packing_particles_create(job->context, NULL, &particles);
+  if (status == PACKING_OK)
+    status = read_pack(job->context, file->format, text, length, particles);
   if (status == PACKING_OK)
     add_radii(particles, set);
   packing_particles_destroy(particles);
-  return status == PACKING_OK ? 0 : failed(job, status, option, path);
+  return status == PACKING_OK ? 0 : failed(job, status, option, file->path);
 }
 
-int compare_add_file(compare_job *job, const char *option, const char *path,
+/* [FORMAT:]FILE; the format is "" where neither prefix nor extension tells. */
+static named_file name_file(const char *text)
+{
+  named_file file = {text, ""};
+  const size_t length = strcspn(text, ":/");
+  if (text[length] == ':' && length < sizeof file.format) {
+    memcpy(file.format, text, length);
+    if (packing_read_format_about(file.format)) {
+      file.path = text + length + 1;
+      return file;
+    }
+  }
+  const char *format = packing_read_format_of(text);
+  snprintf(file.format, sizeof file.format, "%s", format ? format : "");
+  return file;
+}
+
+int compare_add_file(compare_job *job, const char *option, const char *name,
                      compare_set *set)
 {
+  const named_file file = name_file(name);
   char *text = NULL;
   size_t length = 0;
-  int code = compare_read(job, option, path, &text, &length);
+  int code = compare_read(job, option, file.path, &text, &length);
   const int is_report = !code && text[strspn(text, " \t\r\n")] == '{';
   const char *what = is_report ? "report" : "r";
   if (!code && set->what && strcmp(set->what, what) != 0)
     code = program_fail(PROGRAM_BAD_INPUT, "%s: %s: a set is of reports or of packs",
-                        option, path);
+                        option, file.path);
   set->what = what;
   if (!code)
-    code = is_report ? parse_report(job, option, path, text, length, set)
-                     : parse_pack(job, option, path, text, length, set);
+    code = is_report ? parse_report(job, option, file.path, text, length, set)
+                     : parse_pack(job, option, &file, text, length, set);
   free(text);
   return code;
 }

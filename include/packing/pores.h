@@ -11,9 +11,10 @@
  *  local frame as one quadratic.
  *
  *  The triangulation is that of the centres with weights r^2, made by exact predicates. For
- *  unequal spheres it is not the diagram of distances to surfaces, so every sphere is
- *  held against all particles, and against the walls: what it is limited by is told. Results are
- *  the same bytes for any number of threads. */
+ *  unequal spheres it is not the diagram of distances to surfaces: where another particle reaches
+ *  into a cell's sphere, the empty one beside it that touches that particle instead is taken,
+ *  wherever it is found. Every sphere is held against all particles and walls, and tells what it
+ *  is limited by. Results are the same bytes for any number of threads. */
 
 #include <packing/domain.h>
 
@@ -44,9 +45,10 @@ typedef struct packing_pores_def {
          distance d apart, in [0, 1] [1]; default 0.5 */
   double
       tolerance; /**< in (0, 0.1]; default 1e-6 [1]: neighbouring spheres whose centres and
-         radii agree to this share of the radius are one; a cell whose height is this share of its
-         longest edge is flat and has no sphere of its own; a particle intrudes when it is deeper
-         in a sphere than this share of its radius */
+         radii agree to this share of the radius are one; a cell is flat, without a sphere of its
+         own, when the determinant of its edges is at most this share of the longest's cube
+         (square); a particle intrudes when it is deeper in a sphere than this share of the
+         radius; a constriction below this share of its smallest particle's radius is closed */
 } packing_pores_def;
 
 /** Writes the defaults; called through packing_pores_def_init().
@@ -63,11 +65,11 @@ static inline void packing_pores_def_init(packing_pores_def *def)
 
 /** What gave a pore or a constriction its radius. */
 typedef enum packing_pore_limit {
-  PACKING_PORE_FREE = 0, /**< it touches the particles that form it */
-  PACKING_PORE_BY_PARTICLE =
-      1, /**< another particle reaches in: the radius is the distance to
+  PACKING_PORE_FREE = 0,        /**< it touches the particles that form it */
+  PACKING_PORE_BY_PARTICLE = 1, /**< another particle reaches in, and no
+        empty sphere that touches all its neighbours was found nearby: the radius is the distance to
         its surface, the centre is kept */
-  PACKING_PORE_BY_WALL = 2, /**< a wall is nearer: the radius is the distance to it */
+  PACKING_PORE_BY_WALL = 2,     /**< a wall is nearer: the radius is the distance to it */
   PACKING_PORE_OPEN = 3 /**< constrictions only: the way has no narrow place between the
             two pores, one is a shoulder of the other; radius and centre are those of the
             smaller */
@@ -77,9 +79,10 @@ typedef enum packing_pore_limit {
 typedef struct packing_pore {
   packing_vec3 centre; /**< inside the cell along periodic directions [L] */
   double radius;       /**< of the empty sphere (disc), > 0 [L] */
-  size_t particles[4]; /**< whose triangulation cell it is of, rising; in 2D the last is
-        #PACKING_NO_INDEX */
-  size_t cells;        /**< cells of the triangulation in it */
+  size_t particles
+      [4];      /**< that it touches, or would if nothing limited it, rising; in 2D the
+        last is #PACKING_NO_INDEX */
+  size_t cells; /**< cells of the triangulation in it */
   size_t
       coordination; /**< constrictions that end here (both ends of one that leads to its own
         image) */
@@ -109,7 +112,7 @@ typedef struct packing_pores_report {
       flat_cells; /**< cells too flat for a sphere of their own; they belong to a neighbour */
   size_t outside; /**< cells whose sphere is centred outside the container (without one:
         outside the box around the particles) and left out */
-  size_t closed;  /**< cells without a sphere: none touches all four from outside, or
+  size_t closed;  /**< cells without a sphere: none touches all corners from outside, or
         its centre lies in a particle */
   size_t blocked; /**< pores limited by a particle */
   size_t cut;     /**< pores limited by a wall */
@@ -139,14 +142,15 @@ static inline void packing_pores_report_init(packing_pores_report *report)
  *
  *  Spheres centred outside the container are left out, those that cross its wall shrink to the
  *  distance from it. Along periodic directions each pore and each constriction is listed once.
- *  Fewer than dim + 1 particles, or all in one plane (line), have no pores.
+ *  Fewer than dim + 1 particles, or all in one plane (line), have no pores. All voids of equal
+ *  spheres are found, and most where sizes differ: doc/methods/pores.md has figures.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain the container, whose walls and periodic directions count; NULL: none
  *  \param view the pack: finite, radii > 0
  *  \param[out] pores the network
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (also beyond 4e9 cells);
- *          PACKING_ERR_NOMEM; PACKING_ERR_ABI. N log N, some 3 s and 600 bytes a particle at 1e5
+ *          PACKING_ERR_NOMEM; PACKING_ERR_ABI. Nearly linear; some 5 s and 5 kB a particle at 1e5
  *          spheres on one thread */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_pores_create(
     packing_context *context, const packing_pores_def *def, packing_domain *domain,

@@ -87,9 +87,10 @@ static inline void packing_profile_report_init(packing_profile_report *report)
 /** Measures porosity in slabs or shells, each with the exact volume of the container and of the
  *  particles in it. A container periodic along the axis of slabs or cylinders counts for one
  *  period; a periodic direction that shells grow into counts as far as they reach.
- *  Closed forms for slabs and spheres inside the container and wherever all is flat or round in
- *  two dimensions; one-dimensional quadrature to `tolerance` else; custom containers go no
- *  further than 1e-4 of a particle that their wall cuts.
+ *  Closed forms (caps, lenses, elliptic integrals) for particles that no wall cuts, for slabs of
+ *  boxes and in two dimensions; one-dimensional quadrature to `tolerance` else; custom
+ *  containers go no further than 1e-4 of a particle that their wall cuts. In a periodic cell
+ *  the bins may reach over 1e6 images at most.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain the container
@@ -238,9 +239,10 @@ typedef struct packing_section_report {
   packing_vec3 u_axis; /**< unit vector; across x, y, z: that of y, z, x */
   packing_vec3 v_axis; /**< unit vector; across x, y, z: that of z, x, y */
   packing_vec3 normal; /**< unit vector, u_axis x v_axis */
-  double lo_u, lo_v; /**< corner of a rectangle that holds the container's section [L] */
-  double hi_u,
-      hi_v; /**< its opposite corner; lo = hi = 0 where the plane misses it [L] */
+  double lo_u; /**< where a rectangle that holds the container's section begins [L] */
+  double lo_v; /**< the same along v [L] */
+  double hi_u; /**< where it ends; lo = hi = 0 where the plane misses the container [L] */
+  double hi_v; /**< the same along v [L] */
   double container_area; /**< of the container's section [L^2] */
   double solid_area;     /**< of the discs within it [L^2] */
   double porosity; /**< 1 - solid_area / container_area, the areal porosity, which is
@@ -360,9 +362,11 @@ typedef struct packing_section_image_def {
   size_t struct_size; /**< set by packing_section_image_def_init() */
   size_t rows;        /**< pixels along v, >= 1; default 500 */
   size_t columns;     /**< pixels along u, >= 1; default 500 */
-  double lo_u, lo_v;  /**< corner of the window in the plane [L]; default 0 */
-  double hi_u, hi_v;  /**< its opposite corner [L]; default all 0: the rectangle that
+  double lo_u;        /**< where the window begins along u [L]; default 0 */
+  double lo_v;        /**< the same along v [L]; default 0 */
+  double hi_u; /**< where it ends along u [L]; default all four 0: the rectangle that
        packing_measure_section() reports */
+  double hi_v; /**< the same along v [L]; default 0 */
 } packing_section_image_def;
 
 /** Writes the defaults; called through packing_section_image_def_init().
@@ -383,8 +387,10 @@ typedef struct packing_section_image_report {
   size_t struct_size; /**< set by packing_section_image_report_init() */
   size_t rows;        /**< pixels along v */
   size_t columns;     /**< pixels along u */
-  double lo_u, lo_v;  /**< corner of the window in the plane [L] */
-  double hi_u, hi_v;  /**< its opposite corner [L] */
+  double lo_u;        /**< where the window begins along u [L] */
+  double lo_v;        /**< the same along v [L] */
+  double hi_u;        /**< where it ends along u [L] */
+  double hi_v;        /**< the same along v [L] */
   size_t black;       /**< pixels of void */
   size_t white;       /**< pixels of particles */
   size_t outside;     /**< pixels outside the container */

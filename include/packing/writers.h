@@ -45,23 +45,23 @@ PACKING_API const packing_write_format *packing_write_format_of(const char *path
 
 /** What a deck does with the pack that it loads: grains of one material (Hertz's contact with
  *  Mindlin's friction and damping by restitution) under gravity between walls of the same
- *  material. Any consistent units, since the deck says `units si` of numbers as they are. */
+ *  material. Any consistent units, since the deck says `units si` of numbers as they are. Bonds
+ *  are loaded by LAMMPS's deck and bear no force. Names of files are plain: letters, digits and
+ *  `._-/+=,@~:`. */
 typedef struct packing_deck_def {
-  size_t struct_size; /**< set by packing_deck_def_init() */
-  const char
-      *data_name; /**< file with the pack, for the deck to read; default "pack.data" */
-  const char
-      *mesh_name; /**< file with the container as STL, for LIGGGHTS's deck where simple
-                              walls do not do; default "container.stl" */
+  size_t struct_size;    /**< set by packing_deck_def_init() */
+  const char *data_name; /**< file with the pack; default "pack.data" */
+  const char *mesh_name; /**< file with the container as STL, for LIGGGHTS's deck where
+       simple walls do not do; default "container.stl" */
   const char *dump_name; /**< file that the run writes; default "run.dump" */
   double youngs_modulus; /**< [M L^-1 T^-2], > 0; default 1e7 */
-  double poisson_ratio;  /**< [1], in (-1, 0.5); default 0.3 */
+  double poisson_ratio;  /**< [1], in [0, 0.5); default 0.3 */
   double friction;       /**< [1], >= 0; default 0.5 */
-  double restitution;    /**< [1], in (0, 1]; default 0.5 */
-  double gravity;    /**< magnitude [L T^-2], >= 0; default 9.81. The deck has it as the
-                              variable `gravity`: `lmp -in in.pack -var gravity 0` */
-  packing_vec3 down; /**< direction of gravity, any length; default 0: -z, 2D -y */
-  double timestep; /**< [T]; default 0: 0.2 of Rayleigh's time of the smallest particle */
+  double restitution;    /**< [1], in [0.05, 1]; default 0.5 */
+  double gravity;        /**< magnitude [L T^-2], >= 0; default 9.81; the deck's variable
+       `gravity`: `lmp -in in.pack -var gravity 0` */
+  packing_vec3 down;     /**< direction of gravity, any length; default 0: -z, 2D -y */
+  double timestep; /**< [T]; default 0: a fifth of Rayleigh's time of the smallest */
   uint64_t steps;  /**< of the run, the deck's variable `steps`; default 10000 */
 } packing_deck_def;
 
@@ -81,25 +81,22 @@ static inline void packing_deck_def_init(packing_deck_def *def)
 typedef struct packing_write_def {
   size_t struct_size; /**< set by packing_write_def_init() */
   int dim;            /**< 3 (default) or 2 */
-  packing_bounds
-      box; /**< the cell [L]; all zeros (default): that of `domain`, wider where
-                           particles stand out of it (not in periodic directions); without a
-                           domain around the particles. 2D: z counts only where it is not 0 */
-  unsigned
-      periodic; /**< sum of PACKING_PERIODIC_; default 0, with `domain` those of it */
-  const packing_domain
-      *domain;    /**< the container: walls of decks, shape in scenes, mesh; NULL
-                                     (default): none, decks put walls on the box */
-  double density; /**< of the particles [M L^-3], > 0; default 1000 */
-  const packing_bond *bonds; /**< `bond_count` pairs of the view's indices, or NULL */
-  size_t bond_count;         /**< default 0 */
-  const char *title;         /**< a line, for formats with comments; default NULL: ours */
-  size_t note_count;         /**< "# key: value" lines of a CSV; default 0 */
-  const char *const *keys;   /**< note_count strings without newline or colon */
-  const char *const *values; /**< note_count strings without newline */
-  double time;               /**< of the pack, where a format has one [T]; default 0 */
-  int compression;           /**< of vtp and vtu, 0 (default) to 9 */
-  unsigned facets;           /**< of meshes, see packing_stl_def; default 64 */
+  packing_bounds box; /**< the cell [L]; all zeros (default): that of `domain`, wider
+       where particles stand out of it (not in periodic directions); without a domain around
+       the particles. 2D: one largest diameter thick */
+  unsigned periodic;  /**< sum of PACKING_PERIODIC_; default 0: those of `domain` */
+  const packing_domain *domain; /**< the container: walls of decks, shape in scenes, mesh;
+       NULL (default): none, decks put walls on the box */
+  double density;               /**< of the particles [M L^-3], > 0; default 1000 */
+  const packing_bond *bonds;    /**< `bond_count` pairs of the view's indices, or NULL */
+  size_t bond_count;            /**< default 0 */
+  const char *title;            /**< a line, for formats with comments; NULL: ours */
+  size_t note_count;            /**< "# key: value" lines of a CSV; default 0 */
+  const char *const *keys;      /**< note_count strings without newline or colon */
+  const char *const *values;    /**< note_count strings without newline */
+  double time;                  /**< of the pack, where a format has one [T]; default 0 */
+  int compression;              /**< of vtp and vtu, 0 (default) to 9 */
+  unsigned facets;              /**< of meshes, see packing_stl_def; default 64 */
   const packing_deck_def *deck; /**< for decks; NULL (default): its defaults */
 } packing_write_def;
 
@@ -166,7 +163,7 @@ static inline void packing_stl_def_init(packing_stl_def *def)
  *
  *  Round walls become flat pieces that touch them from behind: polygons around outer and inside
  *  inner circles. So no particle of the container overlaps a triangle by more than it overlaps
- *  the wall, and the mesh is larger than the container by (pi / facets)^2 / 3 of a circle's area.
+ *  the wall; a circle's area grows by about (pi / facets)^2 / 3 of it.
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain a container of three dimensions, not custom

@@ -6,7 +6,7 @@
  * that: then no product that the predicates form, of five factors at most, leaves the range of
  * doubles, and all they say is exact. */
 #include "delaunay/builder.h"
-#include "delaunay/order.h"
+#include "delaunay/hilbert.h"
 #include <math.h>
 #include <string.h>
 

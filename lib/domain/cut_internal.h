@@ -2,10 +2,42 @@
 #ifndef PACKING_CUT_INTERNAL_H
 #define PACKING_CUT_INTERNAL_H
 
-/* What a ball, a container and a cell have in common, as slices across an axis: u and v lie in
- * the slice, h is its height. */
+/* What a ball, a container and a cell have in common; as slices across an axis u and v lie in
+ * the slice and h is its height. */
 
 #include "domain_kinds.h"
+
+/* The question. */
+typedef struct packing_i_cut_job {
+  const packing_i_domain_body *body; /* NULL: all space */
+  const packing_i_cell *cell;
+  packing_bounds box; /* of the cell and of a container that is a box */
+  packing_vec3 centre;
+  double r;
+  double tolerance;
+  int dim;
+} packing_i_cut_job;
+
+static inline double packing_i_cut_lo(const packing_i_cut_job *j, int k)
+{
+  return packing_i_component(j->box.lo, k);
+}
+
+static inline double packing_i_cut_hi(const packing_i_cut_job *j, int k)
+{
+  return packing_i_component(j->box.hi, k);
+}
+
+static inline int packing_i_is_revolution(const packing_i_domain_body *body)
+{
+  return body != NULL &&
+         body->ops->signed_distance == packing_i_revolution_signed_distance;
+}
+
+static inline int packing_i_is_round(const packing_i_domain_body *body)
+{
+  return body != NULL && body->ops->signed_distance == packing_i_round_signed_distance;
+}
 
 /* A radius over the height: of a disc round (u, v), or half the width of a strip. */
 typedef struct packing_i_curve {
@@ -40,5 +72,12 @@ static inline double packing_i_curve_radius(const packing_i_curve *c, double h)
 
 /* The heights between which the area of the slice is smooth, rising, with both ends. */
 void packing_i_cut_heights(const packing_i_cut *cut, packing_i_heights *heights);
+
+/* What the errors are relative to: the ball, else the container, else the cell. */
+double packing_i_cut_reference(const packing_i_cut_job *job);
+
+/* The volume by slices, or in the plane by one; *error grows by its error. Not for custom
+ * containers. */
+double packing_i_cut_slices(const packing_i_cut_job *job, double *error);
 
 #endif

@@ -14,6 +14,7 @@
  * that meet share the point where they do, so that no more is lost than some roundings of that
  * disc, however large the others are. */
 #include "domain_kinds.h"
+#include <float.h>
 
 /* Points on one circle: two for each other circle and for each edge. */
 enum { MOST_POINTS = 2 * (PACKING_I_DISCS - 1) + 8 };
@@ -33,17 +34,26 @@ static double distance(const packing_i_disc *a, const packing_i_disc *b)
   return sqrt((a->u - b->u) * (a->u - b->u) + (a->v - b->v) * (a->v - b->v));
 }
 
-/* Strikes off discs that hold another; of equal ones the later. 0: two discs are apart. */
+/* What rounding can move the circles of both by. */
+static double blur(const packing_i_disc *a, const packing_i_disc *b)
+{
+  return 4 * DBL_EPSILON *
+         (a->r + fabs(a->u) + fabs(a->v) + b->r + fabs(b->u) + fabs(b->v));
+}
+
+/* Strikes off discs that hold another, up to rounding (of two circles that are as good as one
+ * not both must have arcs); of equal ones the later. 0: two discs are apart. */
 static int strike_off(region *g)
 {
   for (int i = 0; i < g->count; i++)
     for (int j = i + 1; j < g->count; j++) {
-      const double d = distance(&g->disc[i], &g->disc[j]);
-      if (d >= g->disc[i].r + g->disc[j].r)
+      const packing_i_disc *a = &g->disc[i], *b = &g->disc[j];
+      const double d = distance(a, b);
+      if (d >= a->r + b->r)
         return 0;
-      if (d > fabs(g->disc[i].r - g->disc[j].r))
+      if (d > fabs(a->r - b->r) + blur(a, b))
         continue;
-      g->disc[g->disc[j].r >= g->disc[i].r ? j : i] = g->disc[g->count - 1];
+      g->disc[b->r >= a->r ? j : i] = g->disc[g->count - 1];
       g->count--;
       i = -1;
       break;

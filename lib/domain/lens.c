@@ -2,8 +2,9 @@
 /* Volume (area) that two balls (discs) share, in closed form: two caps.
  *
  * Balls of radii p and q at distance d meet in a plane that cuts caps of the heights
- * (q - d + p)(q + d - p) / (2 d) off the first and (p - d + q)(p + d - q) / (2 d) off the
- * second: products, so that a thin lens loses nothing but what d - p - q lost. */
+ * (q - d + p)(q - p + d) / (2 d) off the first and (p - d + q)(p + d - q) / (2 d) off the
+ * second: products, so that a thin lens loses nothing but what d - p - q lost,
+ * and nearly equal balls nothing at all. */
 #include "domain_kinds.h"
 #include <math.h>
 
@@ -35,7 +36,7 @@ double packing_i_lens(int dim, double p, double q, double d)
     return 0;
   if (d <= fabs(p - q))
     return packing_i_ball_volume(dim, p < q ? p : q);
-  const double h = (q - d + p) * (q + d - p) / (2 * d);
-  const double k = (p - d + q) * (p + d - q) / (2 * d);
+  const double h = (q - d + p) * ((q - p) + d) / (2 * d);
+  const double k = (p - d + q) * ((p - q) + d) / (2 * d);
   return packing_i_cap(dim, p, h) + packing_i_cap(dim, q, k);
 }

@@ -36,7 +36,8 @@ packing_i_scaled packing_i_scale10(uint64_t m, int q)
   return s;
 }
 
-packing_i_rounding packing_i_round_scaled(const packing_i_scaled *s, int shift, uint64_t *kept)
+packing_i_rounding packing_i_round_scaled(const packing_i_scaled *s, int shift,
+                                          uint64_t *kept)
 {
   const uint64_t half = UINT64_C(1) << (shift - 65);
   const uint64_t rest = s->hi & (half + half - 1); /* at shift 128, half + half is 0 */

@@ -61,7 +61,8 @@ typedef enum packing_i_rounding {
 } packing_i_rounding;
 
 /* How to round off the last `shift` bits, 65 to 128, of hi 2^64 + lo: *kept is what stays. */
-packing_i_rounding packing_i_round_scaled(const packing_i_scaled *s, int shift, uint64_t *kept);
+packing_i_rounding packing_i_round_scaled(const packing_i_scaled *s, int shift,
+                                          uint64_t *kept);
 
 /* How to round m 2^e 10^q to n or n + 1, when it lies between them: by whole numbers of full
  * length, which is right always and slow. */

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#undef packing_i_read_fail /* the analyzer's */
+
 packing_status packing_i_read_fail(const packing_i_read *read, packing_status status,
                                    const char *format, ...)
 {

@@ -335,7 +335,7 @@ static packing_status take_point(const vtk *v, const piece *p, size_t i)
 {
   packing_i_row *row = packing_i_read_row(reading(v));
   int64_t type = 1, component = 0;
-  double centre[3];
+  double centre[3] = {0, 0, 0};
   take_vector(v, POINTS, i, centre);
   row->x = centre[0];
   row->y = centre[1];

@@ -92,7 +92,7 @@ static packing_status read_lattice(frame *f, packing_i_words text, double side[3
     return packing_i_read_fail(
         f->read, PACKING_ERR_FORMAT,
         "Lattice: a does not point along x, or b out of the plane of x and y");
-  for (int k = 0; k < 3; k++)
+  for (size_t k = 0; k < 3; k++)
     side[k] = m[4 * k];
   info->tilt.x = m[3];
   info->tilt.y = m[6];

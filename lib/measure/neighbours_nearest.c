@@ -10,7 +10,7 @@
 #define FIRST_REACH 1.5 /* of the ball, in mean diameters: some 12 in a dense pack */
 #define GROWTH 1.5
 #define ADAPTION 1.1          /* of the next particle's first ball */
-#define GENEROUS (1.0 + 1e-9) /* so that rounding hides nobody on the ball's surface */
+#define GENEROUS (1.0 + 1e-6) /* so that rounding hides nobody on the ball's surface */
 
 enum {
   ROOM = 256,

@@ -2,64 +2,11 @@
 /* The sphere of each cell: tangent to its corners (tangent.c), then held against everything else.
  * The power diagram knows nothing of surfaces, so for unequal spheres another particle may reach
  * into it: of two roots the free one is taken, the smaller if both are; where none is free the
- * sphere keeps its centre and shrinks to the nearest surface, which leaves a true void and the
- * ways through it, and tells so. Walls count likewise. One neighbour query a cell; linear. */
+ * void nearby is looked for (pores_settle.c); failing that, the sphere keeps its centre and shrinks
+ * to the nearest surface, which leaves a true void and the ways through it, and tells so. Walls
+ * shrink likewise. One neighbour query a cell; linear. */
 #include "measure/pores_internal.h"
 #include "vec.h"
-
-enum { NEAR = 128 /* particles looked at at once */ };
-
-/* How far a point is from the nearest of particles listed; those of a periodic cell by their
- * nearest images. */
-static double nearest_surface(const packing_i_pore_network *n, packing_vec3 at,
-                              const size_t *list, size_t count)
-{
-  double nearest = INFINITY;
-  for (size_t i = 0; i < count; i++) {
-    const size_t k = list[i];
-    packing_vec3 d = packing_i_sub(packing_i_pores_copy(n, (uint32_t)k), at);
-    double *const axis[] = {&d.x, &d.y, &d.z};
-    for (int a = 0; a < 3; a++)
-      if (n->period[a] > 0)
-        *axis[a] -= n->period[a] * floor(*axis[a] / n->period[a] + 0.5);
-    nearest = fmin(nearest, packing_i_norm(d) - n->r[k]);
-  }
-  return nearest;
-}
-
-double packing_i_pores_clearance(const packing_i_pore_network *n, packing_vec3 centre,
-                                 double radius)
-{
-  size_t list[NEAR], count = 0;
-  const packing_vec3 at = packing_i_add(centre, n->origin);
-  double reach = radius * (1 - n->def.tolerance), clear = 0;
-  PACKING_IGNORE(packing_grid_near(n->grid, &at, reach, list, NEAR, &count));
-  if (count == 0)
-    return radius;
-  for (int halvings = 0; count > NEAR && halvings < 64; halvings++) {
-    const double middle =
-        clear + (reach - clear) / 2; /* nothing is nearer than `clear` */
-    PACKING_IGNORE(packing_grid_near(n->grid, &at, middle, list, NEAR, &count));
-    if (count == 0)
-      clear = middle;
-    else
-      reach = middle;
-    if (count == 0)
-      PACKING_IGNORE(packing_grid_near(n->grid, &at, reach, list, NEAR, &count));
-  }
-  return nearest_surface(n, centre, list, count < NEAR ? count : NEAR);
-}
-
-double packing_i_pores_wall(const packing_i_pore_network *n, packing_vec3 centre)
-{
-  const packing_vec3 at = packing_i_add(centre, n->origin);
-  if (n->domain != NULL)
-    return packing_domain_signed_distance(n->domain, &at, NULL);
-  const double x = fmin(at.x - n->box.lo.x, n->box.hi.x - at.x),
-               y = fmin(at.y - n->box.lo.y, n->box.hi.y - at.y),
-               z = fmin(at.z - n->box.lo.z, n->box.hi.z - at.z);
-  return fmin(fmin(x, y), n->dim == 2 ? (double)INFINITY : z) > 0 ? (double)INFINITY : 0;
-}
 
 /* The cell with one of its roots for a radius. */
 static void try_root(const packing_i_pore_network *n, const packing_i_tangency *t,
@@ -77,7 +24,7 @@ static void try_root(const packing_i_pore_network *n, const packing_i_tangency *
     c->radius = wall;
     c->limit = PACKING_PORE_BY_WALL;
   }
-  const double clear = packing_i_pores_clearance(n, c->centre, c->radius);
+  const double clear = packing_i_pores_clearance(n, c->centre, c->radius, NULL);
   if (clear < c->radius)
     c->limit = PACKING_PORE_BY_PARTICLE;
   c->radius = clear;
@@ -95,16 +42,18 @@ static int is_better(const packing_i_pore_cell *a, const packing_i_pore_cell *b)
 
 static void fill_cell(const packing_i_pore_network *n, packing_i_pore_cell *c)
 {
-  packing_vec3 p[4];
-  double r[4], radii[2];
+  packing_i_corners q;
+  double radii[2];
   packing_i_tangency t;
   for (int k = 0; k <= n->dim; k++) {
-    p[k] = packing_i_pores_copy(n, c->corner[k]);
-    r[k] = n->r[c->corner[k]];
+    q.p[k] = packing_i_pores_copy(n, c->corner[k]);
+    q.r[k] = n->r[c->corner[k]];
+    q.particle[k] = c->touch[k] = n->particle[c->corner[k]];
   }
   c->height = 0;
+  c->moved = 0;
   c->state = PACKING_I_PORE_FLAT;
-  if (!packing_i_tangency_set(&t, n->dim + 1, p, r) || !(t.height > n->def.tolerance))
+  if (!packing_i_tangency_set(&t, n->dim + 1, q.p, q.r) || !(t.height > n->def.tolerance))
     return;
   c->height = t.height;
   c->state = PACKING_I_PORE_CLOSED;
@@ -115,6 +64,10 @@ static void fill_cell(const packing_i_pore_network *n, packing_i_pore_cell *c)
     if (i == 0 || is_better(&other, c))
       *c = other;
   }
+  if (count > 0 &&
+      (c->state == PACKING_I_PORE_CLOSED ||
+       (c->state == PACKING_I_PORE_SPHERE && c->limit == PACKING_PORE_BY_PARTICLE)))
+    packing_i_pores_settle(n, &q, packing_i_tangency_centre(&t, radii[0]), radii[0], c);
 }
 
 static void fill_block(void *arg, size_t block)

@@ -117,7 +117,7 @@ static packing_status copy_axis(packing_i_pore_network *n, int axis, double marg
 static packing_status make_copies(packing_i_pore_network *n, double margin)
 {
   n->copies = n->count;
-  for (int axis = 0; axis < 3; axis++)
+  for (int axis = 0; axis < 3 && n->count > 0; axis++)
     if (n->periodic >> axis & 1U)
       PACKING_I_TRY(copy_axis(n, axis, margin));
   return PACKING_OK;

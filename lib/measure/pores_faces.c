@@ -74,6 +74,35 @@ static face read_face(const packing_i_pore_network *n, packing_i_pore_edge *e)
   return f;
 }
 
+/* Where a sphere has moved, the particles that both spheres touch take the place of the face's, if
+ * there are as many. */
+static void use_shared(const packing_i_pore_network *n, packing_i_pore_edge *e, face *f)
+{
+  const packing_i_pore_cell *a = &n->cell[n->node[e->a].cell],
+                            *b = &n->cell[n->node[e->b].cell];
+  uint32_t shared[4], apex = PACKING_I_PORES_NONE;
+  int count = 0;
+  if (!a->moved && !b->moved)
+    return;
+  for (int i = 0; i <= n->dim; i++) {
+    int both = 0;
+    for (int j = 0; j <= n->dim; j++)
+      both |= a->touch[i] == b->touch[j];
+    if (both)
+      shared[count++] = a->touch[i];
+    else
+      apex = a->touch[i];
+  }
+  if (count != n->dim)
+    return;
+  f->apex = packing_i_pores_image(n, apex, f->end[0]);
+  for (int k = 0; k < count; k++) {
+    f->p[k] = packing_i_pores_image(n, shared[k], f->end[0]);
+    f->r[k] = n->r[shared[k]];
+    e->particle[k] = shared[k];
+  }
+}
+
 static double height_over(const packing_i_tangency *t, packing_vec3 p)
 {
   return packing_i_dot(t->normal, packing_i_sub(p, t->origin));
@@ -104,7 +133,7 @@ static void limit_edge(const packing_i_pore_network *n, packing_i_pore_edge *e)
     e->radius = fmax(wall, 0);
     e->limit = PACKING_PORE_BY_WALL;
   }
-  const double clear = packing_i_pores_clearance(n, e->centre, e->radius);
+  const double clear = packing_i_pores_clearance(n, e->centre, e->radius, NULL);
   if (clear < e->radius) {
     e->radius = fmax(clear, 0);
     e->limit = PACKING_PORE_BY_PARTICLE;
@@ -116,7 +145,8 @@ static void fill_edge(const packing_i_pore_network *n, packing_i_pore_edge *e)
   packing_i_tangency t;
   double radii[2];
   const int32_t frame = n->node_shift[e->a];
-  const face f = read_face(n, e);
+  face f = read_face(n, e);
+  use_shared(n, e, &f);
   const double least = fmin(f.radius[0], f.radius[1]) * (1 + n->def.tolerance);
   if (!packing_i_tangency_set(&t, n->dim, f.p, f.r) || !(t.height > n->def.tolerance)) {
     set_open(e, &f);

@@ -41,7 +41,7 @@ typedef enum packing_i_pore_state {
 } packing_i_pore_state;
 
 /* A cell of the triangulation, each of a periodic cell's once: that whose first corner stands in
- * the cell. 104 bytes. */
+ * the cell. 128 bytes. */
 typedef struct packing_i_pore_cell {
   uint32_t corner[4];    /* copies, sorted by (particle, image) */
   uint32_t neighbour[4]; /* across the facet opposite to each; NONE */
@@ -51,7 +51,17 @@ typedef struct packing_i_pore_cell {
   double height;
   packing_i_pore_state state;
   packing_pore_limit limit;
+  uint32_t
+      touch[4]; /* particles that the sphere touches: the corners', unless it moved */
+  int moved;
 } packing_i_pore_cell;
+
+/* Spheres that another one touches. */
+typedef struct packing_i_corners {
+  packing_vec3 p[4];
+  double r[4];
+  uint32_t particle[4];
+} packing_i_corners;
 
 /* Cells that share one sphere. Becomes a pore, alone or with others. */
 typedef struct packing_i_pore_node {
@@ -136,10 +146,19 @@ packing_status packing_i_pores_triangulate(packing_i_pore_network *n);
 /* Gives each cell its sphere, or says why it has none. */
 void packing_i_pores_fill_cells(packing_i_pore_network *n);
 
+/* The image of a particle that is nearest to a point. */
+packing_vec3 packing_i_pores_image(const packing_i_pore_network *n, uint32_t particle,
+                                   packing_vec3 at);
+
 /* The distance from a point to the nearest surface as far as that is below `radius` by more than
- * the tolerance, else `radius`; < 0 inside a particle. */
+ * the tolerance, else `radius`; < 0 inside a particle. `which` (may be NULL) is that particle. */
 double packing_i_pores_clearance(const packing_i_pore_network *n, packing_vec3 centre,
-                                 double radius);
+                                 double radius, uint32_t *which);
+
+/* Looks for the empty sphere nearby where that of a cell, which touches `q`, is not; changes the
+ * cell when there is one inside the container. */
+void packing_i_pores_settle(const packing_i_pore_network *n, const packing_i_corners *q,
+                            packing_vec3 centre, double radius, packing_i_pore_cell *c);
 
 /* The distance from a point to the container's wall, or out of the box around the particles;
  * +infinity where there is none. */

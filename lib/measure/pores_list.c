@@ -33,8 +33,7 @@ static packing_pore list_pore(const packing_i_pore_network *n,
   p.radius = node->radius;
   p.limit = node->limit;
   for (int k = 0; k < 4; k++)
-    p.particles[k] =
-        k <= n->dim ? n->particle[n->cell[node->cell].corner[k]] : PACKING_NO_INDEX;
+    p.particles[k] = k <= n->dim ? n->cell[node->cell].touch[k] : PACKING_NO_INDEX;
   return p;
 }
 

@@ -5,6 +5,7 @@
  * member with the image of the root it belongs to. Almost linear. */
 #include "measure/pores_internal.h"
 #include "vec.h"
+#include <string.h>
 
 /* Members of a set lead to its root; `shift` is the image of the parent a cell belongs to. */
 typedef struct sets {
@@ -67,6 +68,73 @@ static void join_same_spheres(const packing_i_pore_network *n, sets *s)
         join(s, i, j, c->shift[k]);
     }
   }
+}
+
+/* Periods from b to the image of it that stands nearest to a. */
+static int32_t nearest_image(const packing_i_pore_network *n, packing_vec3 a,
+                             packing_vec3 b)
+{
+  int image[3] = {0, 0, 0};
+  for (int axis = 0; axis < 3; axis++)
+    if (n->period[axis] > 0)
+      image[axis] =
+          (int)floor((packing_i_component(a, axis) - packing_i_component(b, axis)) /
+                         n->period[axis] +
+                     0.5);
+  return packing_i_image_code(image);
+}
+
+static size_t hash_touch(const packing_i_pore_cell *c)
+{
+  uint64_t h = 0;
+  for (int k = 0; k < 4; k++) {
+    h = (h ^ c->touch[k]) * UINT64_C(0x9E3779B97F4A7C15);
+    h ^= h >> 29;
+  }
+  return (size_t)h;
+}
+
+/* Joins spheres that moved to one place, or to where another cell's stands: those that touch the
+ * same particles. */
+static void join_moved(const packing_i_pore_network *n, sets *s, uint32_t *table,
+                       size_t mask)
+{
+  for (size_t i = 0; i <= mask; i++)
+    table[i] = PACKING_I_PORES_NONE;
+  for (uint32_t i = 0; i < n->cells; i++) {
+    const packing_i_pore_cell *c = &n->cell[i];
+    if (c->state != PACKING_I_PORE_SPHERE)
+      continue;
+    size_t slot = hash_touch(c) & mask;
+    for (; table[slot] != PACKING_I_PORES_NONE; slot = (slot + 1) & mask) {
+      const packing_i_pore_cell *other = &n->cell[table[slot]];
+      const int32_t shift = nearest_image(n, c->centre, other->centre);
+      if (memcmp(c->touch, other->touch, sizeof c->touch) == 0 &&
+          is_same_sphere(n, c, other, shift)) {
+        join(s, i, table[slot], shift);
+        break;
+      }
+    }
+    if (table[slot] == PACKING_I_PORES_NONE)
+      table[slot] = i;
+  }
+}
+
+static packing_status join_all_moved(const packing_i_pore_network *n, sets *s)
+{
+  size_t moved = 0, size = 2;
+  for (uint32_t i = 0; i < n->cells; i++)
+    moved += (size_t)(n->cell[i].state == PACKING_I_PORE_SPHERE && n->cell[i].moved);
+  if (moved == 0)
+    return PACKING_OK;
+  while (size < 2 * (size_t)n->cells)
+    size *= 2;
+  uint32_t *table = packing_i_alloc(n->allocator, size, sizeof *table);
+  if (table == NULL)
+    return PACKING_ERR_NOMEM;
+  join_moved(n, s, table, size - 1);
+  packing_i_free(n->allocator, table);
+  return PACKING_OK;
 }
 
 /* Joins a flat cell to the first neighbour with a sphere, or with one joined before. */
@@ -153,6 +221,8 @@ packing_status packing_i_pores_make_nodes(packing_i_pore_network *n)
     joined[i] = n->cell[i].state == PACKING_I_PORE_SPHERE;
   }
   join_same_spheres(n, &s);
+  if (join_all_moved(n, &s) != PACKING_OK)
+    goto out;
   join_flat_cells(n, &s, joined);
   number_nodes(n, &s, joined);
   n->node = packing_i_alloc(n->allocator, n->nodes, sizeof *n->node);

@@ -2,8 +2,8 @@
 /* What profiles, maps and sections share: checks, periodic images. */
 #include "measure/porosity_internal.h"
 
-/* Images of one particle along an axis. */
-enum { MOST_IMAGES = 1000 };
+/* Periods that a particle may reach over, and images of one that a box may have. */
+static const double most_periods = 250, most_images = 1e6;
 
 packing_i_copies packing_i_copies_of(const packing_domain *domain, unsigned periodic,
                                      const packing_bounds *box, packing_vec3 centre,
@@ -30,7 +30,7 @@ static packing_status check_images(packing_context *context, const packing_domai
   const packing_vec3 p = domain->body.period;
   const double least = fmin(fmin(p.x, p.y), p.z);
   for (size_t i = 0; i < view->count && domain->body.periodic != 0; i++)
-    if (packing_i_view_r(view, i) > MOST_IMAGES / 4 * least)
+    if (packing_i_view_r(view, i) > most_periods * least)
       return packing_i_fail(context, PACKING_ERR_RANGE, "r", i,
                             "%g of particle %zu reaches over too many periods of %g",
                             packing_i_view_r(view, i), i, least);
@@ -79,6 +79,22 @@ packing_status packing_i_porosity_axis(packing_context *context, packing_axis ax
     return PACKING_OK;
   return packing_i_fail(context, PACKING_ERR_RANGE, "axis", PACKING_NO_INDEX,
                         "%d is no axis of a container of %d dimensions", (int)axis, dim);
+}
+
+packing_status packing_i_porosity_images(packing_context *context, const char *field,
+                                         const packing_domain *domain, unsigned periodic,
+                                         const packing_bounds *box)
+{
+  double images = 1;
+  for (int k = 0; k < 3; k++)
+    if (periodic & domain->body.periodic & 1u << k)
+      images *= 2 + (packing_i_component(box->hi, k) - packing_i_component(box->lo, k)) /
+                        packing_i_component(domain->body.period, k);
+  if (images <= most_images)
+    return PACKING_OK;
+  return packing_i_fail(context, PACKING_ERR_RANGE, field, PACKING_NO_INDEX,
+                        "reaches over %g cells of the period, more than %g", images,
+                        most_images);
 }
 
 packing_i_cell packing_i_porosity_cell(void)

@@ -66,6 +66,11 @@ packing_status packing_i_porosity_range(packing_context *context, double from, d
 packing_status packing_i_porosity_axis(packing_context *context, packing_axis axis,
                                        int dim);
 
+/* A box may not reach over more periods than can be gone through; `field` is to blame. */
+packing_status packing_i_porosity_images(packing_context *context, const char *field,
+                                         const packing_domain *domain, unsigned periodic,
+                                         const packing_bounds *box);
+
 /* A cell without borders. */
 packing_i_cell packing_i_porosity_cell(void);
 

@@ -326,6 +326,7 @@ packing_status packing_measure_porosity_map(
   m.n[2] = dim == 2 ? 1 : d.nz;
   PACKING_I_TRY(check_bounds(context, &m.bounds, dim));
   PACKING_I_TRY(check_counts(context, m.n));
+  PACKING_I_TRY(packing_i_porosity_images(context, "bounds", domain, 7, &m.bounds));
   packing_porosity_map_report found;
   packing_porosity_map_report_init(&found);
   found.bounds = m.bounds;

@@ -337,6 +337,7 @@ packing_status packing_measure_profile(packing_context *context,
   packing_profile_report found;
   packing_profile_report_init(&found);
   find_box(&p);
+  PACKING_I_TRY(packing_i_porosity_images(context, "to", domain, p.periodic, &p.box));
   PACKING_I_TRY(measure(context, &p, bins, capacity, &found));
   *count = d.bins;
   return packing_i_report_write(context, report, &found, sizeof found);

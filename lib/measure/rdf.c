@@ -17,8 +17,7 @@
 enum {
   LANES = 64,
   LANE_BINS = 1 << 20, /* of all lanes together, unless a single one has more */
-  MOST_BINS = 1 << 24,
-  POINT_SHARE = 8 /* radius of a point of the grid: a share of r_max */
+  MOST_BINS = 1 << 24
 };
 
 enum { CENTRE = 1, PARTNER = 2 /* count_pair() leans on the values */ };
@@ -244,16 +243,11 @@ static packing_status count_placed(packing_context *context, rdf *f)
   return PACKING_OK;
 }
 
-/* Points take the place of the particles: cells then go with r_max, not with the radii. */
 static packing_status count_all(packing_context *context, rdf *f)
 {
-  const double point_r = f->r_max / POINT_SHARE;
   packing_i_images *images = NULL;
-  packing_view points = *f->view;
-  points.r.data = &point_r;
-  points.r.stride = 0;
   PACKING_I_TRY(
-      packing_i_images_create(context, f->domain, &points, 0, f->r_max, &images));
+      packing_i_images_create(context, f->domain, f->view, 0, f->r_max, &images));
   f->grid = packing_i_images_grid(images);
   f->reach = packing_i_images_reach(images);
   const packing_status status = count_placed(context, f);

@@ -4,21 +4,21 @@
 
 static struct {
   const char *format, *name;
-  int sort;
+  int sort, zlib;
 } const samples[] = {
-    {"lammps", "lammps_sphere.data", 1},
-    {"lammps", "lammps_hybrid.data", 0},
-    {"lammps", "lammps_sphere.data.gz", 0},
-    {"dump", "lammps.dump", 1},
-    {"yade", "yade_id.txt", 1},
-    {"yade-pack", "yade_periodic.txt", 0},
-    {"geo", "gengeo.geo", 1},
-    {"xyz", "ase.xyz", 1},
-    {"xyzd", "packing.xyzd", 0},
-    {"vtp", "vtk_binary_zlib.vtp", 1},
-    {"vtu", "vtk_ascii.vtu", 0},
-    {"vtu", "vtk_base64.vtu", 0},
-    {"vtu", "gengeo.vtu", 0},
+    {"lammps", "lammps_sphere.data", 1, 0},
+    {"lammps", "lammps_hybrid.data", 0, 0},
+    {"lammps", "lammps_sphere.data.gz", 0, 1},
+    {"dump", "lammps.dump", 1, 0},
+    {"yade", "yade_id.txt", 1, 0},
+    {"yade-pack", "yade_periodic.txt", 0, 0},
+    {"geo", "gengeo.geo", 1, 0},
+    {"xyz", "ase.xyz", 1, 0},
+    {"xyzd", "packing.xyzd", 0, 0},
+    {"vtp", "vtk_binary_zlib.vtp", 1, 1},
+    {"vtu", "vtk_ascii.vtu", 0, 0},
+    {"vtu", "vtk_base64.vtu", 0, 0},
+    {"vtu", "gengeo.vtu", 0, 0},
 };
 
 static size_t at; /* of samples */
@@ -61,7 +61,8 @@ static void readers(void **state)
 {
   (void)state;
   for (at = 0; at < sizeof samples / sizeof samples[0]; at++)
-    assert_true(test_every_allocation(scenario) >= 4);
+    if (PACKING_I_HAVE_ZLIB || !samples[at].zlib)
+      assert_true(test_every_allocation(scenario) >= 4);
 }
 
 int main(void)

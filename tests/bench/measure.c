@@ -137,6 +137,41 @@ static void run_sizes(packing_context *context, const pack *p)
   must(packing_measure_sizes(context, p->psd, &p->view, &report));
 }
 
+/* Bond order 4 and 6 together, of neighbours found once. */
+static void run_bond_order(packing_context *context, const pack *p)
+{
+  packing_neighbours *neighbours = NULL;
+  packing_bond_order_def def;
+  packing_bond_order_report report;
+  packing_bond_order_def_init(&def);
+  packing_bond_order_report_init(&report);
+  must(packing_neighbours_create(context, NULL, p->box, &p->view, &neighbours));
+  for (def.l = 4; def.l <= 6; def.l += 2)
+    must(packing_measure_bond_order(context, &def, neighbours, NULL, 0, &report));
+  packing_neighbours_destroy(neighbours);
+}
+
+static void run_crystals(packing_context *context, const pack *p)
+{
+  packing_neighbours *neighbours = NULL;
+  packing_common_neighbours_report report;
+  packing_common_neighbours_report_init(&report);
+  must(packing_neighbours_create(context, NULL, p->box, &p->view, &neighbours));
+  must(packing_measure_common_neighbours(context, neighbours, NULL, 0, &report));
+  packing_neighbours_destroy(neighbours);
+}
+
+/* As far as two diameters and a half. */
+static void run_rdf(packing_context *context, const pack *p)
+{
+  packing_rdf_def def;
+  packing_rdf_report report;
+  packing_rdf_def_init(&def);
+  def.r_max = 2.5;
+  packing_rdf_report_init(&report);
+  must(packing_measure_rdf(context, &def, p->box, &p->view, NULL, 0, &report));
+}
+
 static int by_value(const void *a, const void *b)
 {
   const double x = *(const double *)a, y = *(const double *)b;
@@ -152,7 +187,10 @@ static void time_all(const pack *p, int threads)
                   {"audit", run_audit},
                   {"coordination", run_coordination},
                   {"volume", run_volume},
-                  {"sizes", run_sizes}};
+                  {"sizes", run_sizes},
+                  {"bond order", run_bond_order},
+                  {"crystals", run_crystals},
+                  {"rdf", run_rdf}};
   packing_context_def def;
   packing_context *context = NULL;
   packing_context_def_init(&def);

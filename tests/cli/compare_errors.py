@@ -11,7 +11,8 @@ FILES = [("a.json", REPORT), ("p.csv", PACK), ("bad.csv", "x,y,z,r\n0,0,0\n"),
          ("v.txt", "1,2\n3,4\n"), ("ragged.txt", "1,2\n3\n"), ("word.txt", "1\ntwo\n"),
          ("nan.txt", "1\nnan\n"), ("none.txt", "# nothing\n\n"), ("names.txt", "a,b\n"),
          ("hole.txt", "1,,3\n"), ("zero.txt", "1\n\0\n"),
-         ("wide.txt", ",".join(["1"] * 101) + "\n"), ("long.txt", "1" * 9000 + "\n")]
+         ("p.doc", PACK), ("wide.txt", ",".join(["1"] * 101) + "\n"),
+         ("long.txt", "1" * 9000 + "\n")]
 SUMMARY = ["--summary", "1,1,5"]
 
 
@@ -40,6 +41,9 @@ TESTS = [
     case(["--b", "after.json", "--key", "x"], ["--b", "after.json", "JSON"]),
     case(["--a", "bad.csv"], ["--a", "bad.csv", "line 2"]),
     case(["--a", "empty.csv"], ["--a", "empty.csv", "particles"]),
+    case(["--a", "p.doc"], ["--a", "p.doc", "FORMAT", "xyz"]),
+    case(["--a", "no:p.csv"], ["--a", "no:p.csv"], SYSTEM),
+    case(["--a", "xyz:p.csv"], ["--a", "p.csv", "line 1"]),
     case(["--a", "p.csv", "a.json", "--key", "volume_fraction"], ["--a", "a.json", "packs"]),
     case(["--a", "p.csv", "--a", "p.csv"], ["--a", "two sets"]),
     case(["--set", "p.csv"], ["--set", "NAME=FILE"]),

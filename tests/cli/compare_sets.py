@@ -109,13 +109,22 @@ def packs(program):
             radii = [1 + (2 * k + number) / 200 for k in range(100)]
             folder.write("p%d.csv" % number, "# domain: box:9,9,9\nr,z,y,x\n" + "".join(
                 "%.17g,0,%d,0\n" % (r, k) for k, r in enumerate(radii)))
-        folder.write("flat.csv", "x,y,r\n0,0,1.5\n5,5,2.5\n")
-        report, _ = compare(folder, "--a", "p0.csv", "--b", "p1.csv", "flat.csv")
+        folder.write("flat.doc", "x,y,r\n0,0,1.5\n5,5,2.5\n")
+        report, _ = compare(folder, "--a", "p0.csv", "--b", "p1.csv", "csv:flat.doc")
         equal([(s["n"], s["what"]) for s in report["sets"]], [(100, "r"), (102, "r")], "sets")
         pair = report["pairs"][0]
         equal((pair["ks"]["method"], pair["mann_whitney"]["method"]), ("exact", "normal"), "ways")
         near(pair["ks"]["d"], 1 - 101 / 102 + 0.01, 0.01, "D")
         holds(pair["ks"]["p"] > 0.999 and pair["welch"]["p"] > 0.5, "equal sizes")
+
+
+def a_pack_of_any_format(program):
+    with Folder(program) as folder:
+        folder.write("p.csv", "x,y,z,r\n0,0,0,1\n5,5,5,2.5\n")
+        folder.write("p.txt", "0\t0\t0\t1\n5\t5\t5\t2.5\n")
+        report, _ = compare(folder, "--a", "p.csv", "--b", "yade:p.txt")
+        equal([(s["min"], s["max"], s["n"]) for s in report["sets"]], [(1, 2.5, 2)] * 2, "radii")
+        equal([i["file"] for i in report["input"]], ["p.csv", "p.txt"], "input")
 
 
 def weibull(count):
@@ -188,5 +197,5 @@ def standard_output(program):
 
 
 main([(test.__name__.replace("_", " "), test) for test in (
-    tables_8_and_9, table_14, reports, packs, fits, fits_that_do_not_apply, chosen_tests,
-    standard_output)])
+    tables_8_and_9, table_14, reports, packs, a_pack_of_any_format, fits,
+    fits_that_do_not_apply, chosen_tests, standard_output)])

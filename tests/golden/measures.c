@@ -30,6 +30,41 @@ static uint64_t hash_reports(packing_context *context, packing_domain *domain,
   return test_hash(hash, &sizes, sizeof sizes);
 }
 
+/* All that a network of contacts tells. */
+static uint64_t hash_contacts(packing_context *context, packing_domain *domain,
+                              const packing_view *v)
+{
+  enum { BINS = 400 };
+  packing_contacts_def def;
+  packing_contacts *contacts = NULL;
+  packing_classes_report classes;
+  packing_fabric_report fabric;
+  packing_fabric_def all;
+  size_t bins[BINS] = {0}, count = 0;
+  packing_contacts_def_init(&def);
+  def.tolerance = 0.125;
+  packing_classes_report_init(&classes);
+  packing_fabric_report_init(&fabric);
+  packing_fabric_def_init(&all);
+  all.of = PACKING_CONTACTS_OF_ALL;
+  assert_ok(packing_contacts_create(context, &def, domain, v, &contacts));
+  const size_t most =
+      packing_contacts_count(contacts) + packing_contacts_wall_count(contacts);
+  packing_contact *list = malloc(most * sizeof *list);
+  assert_non_null(list);
+  assert_ok(packing_contacts_list(contacts, 0, most, list, &count));
+  assert_ok(packing_contacts_classes(contacts, NULL, &classes));
+  assert_ok(packing_contacts_fabric(contacts, &all, &fabric));
+  assert_ok(packing_contacts_normals(contacts, NULL, bins, BINS, &count));
+  assert_true(count <= BINS && classes.stable > 0 && fabric.count > COUNT);
+  uint64_t hash = test_hash(TEST_HASH_START, list, most * sizeof *list);
+  hash = test_hash(hash, &classes, sizeof classes);
+  hash = test_hash(hash, &fabric, sizeof fabric);
+  free(list);
+  packing_contacts_destroy(contacts);
+  return test_hash(hash, bins, sizeof bins);
+}
+
 /* The pairs of a grid that was built with the context. */
 static uint64_t hash_pairs(packing_context *context, packing_domain *domain,
                            const packing_view *v)
@@ -68,6 +103,7 @@ static void one_hash_for_all(void **state)
     packing_domain *box = test_box(22, 21, 20, periodic);
     const uint64_t reports = hash_reports(NULL, box, psd, &v);
     const uint64_t pairs = hash_pairs(NULL, box, &v);
+    const uint64_t contacts = hash_contacts(NULL, box, &v);
     for (int isa = PACKING_ISA_BASELINE; isa < PACKING_ISA_END; isa++)
       for (size_t t = 0; t < sizeof threads / sizeof threads[0]; t++) {
         if (!packing_isa_available((packing_isa)isa))
@@ -75,6 +111,7 @@ static void one_hash_for_all(void **state)
         packing_context *context = test_context(threads[t], (packing_isa)isa);
         assert_true(hash_reports(context, box, psd, &v) == reports);
         assert_true(hash_pairs(context, box, &v) == pairs);
+        assert_true(hash_contacts(context, box, &v) == contacts);
         packing_context_destroy(context);
       }
     packing_domain_destroy(box);

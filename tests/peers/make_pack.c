@@ -61,6 +61,18 @@ static double at(const packing_column *c, size_t i)
   return *(const double *)(const void *)((const char *)c->data + i * c->stride);
 }
 
+/* Types 1, 2, 3 in turn: decks have tables of them. */
+static void set_types(packing_view *view)
+{
+  enum { MOST = 1000 };
+  static int32_t types[MOST];
+  assert_true(view->count <= MOST);
+  for (int i = 0; i < MOST; i++)
+    types[i] = 1 + i % 3;
+  view->type.data = types;
+  view->type.stride = sizeof types[0];
+}
+
 /* Pairs with a gap below a fifth of the sum of their radii. */
 static size_t bonds_of(const packing_view *v, packing_bond *bonds)
 {
@@ -142,6 +154,7 @@ static void make(const named_scene *s, packing_domain *domain, const char *folde
   packing_view view;
   packing_particles *particles = fill(s, domain);
   packing_particles_view(particles, &view);
+  set_types(&view);
   packing_write_def_init(&def);
   def.dim = packing_domain_dim(domain);
   def.domain = domain;

@@ -201,7 +201,8 @@ static void equal_spheres_have_every_void(void **state)
   free(list);
 }
 
-/* Unequal spheres: what is called free is a void; most are found. */
+/* Unequal spheres, ten to one, many of which overlap: what is called free is a void; four of five
+ * are found, and next to none is left blocked. */
 static void unequal_spheres_have_no_false_void(void **state)
 {
   (void)state;
@@ -215,9 +216,8 @@ static void unequal_spheres_have_no_false_void(void **state)
       packing_pores *pores = measure(p, NULL, NULL, PACKING_PORES_MERGE_NONE);
       match(pores, list, count, &matched, &strange);
       assert_int_equal(strange, 0);
-      assert_true(matched > count / 2);
-      print_message("dim %d: %zu of %zu, %zu blocked, %zu closed\n", dim, matched, count,
-                    report_of(pores).blocked, report_of(pores).closed);
+      assert_true(5 * matched > 4 * count);
+      assert_true(50 * report_of(pores).blocked < count + 50);
       packing_pores_destroy(pores);
       free(p);
     }

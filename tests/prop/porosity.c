@@ -92,7 +92,7 @@ static void slabs_and_cells_add_up(void **state)
   for (int i = 0; i < SCENES; i++) {
     const scene s = scene_number(i);
     packing_domain *domain = scene_make(&s);
-    pack *p = new_pack(domain, 60, 0.12, (uint64_t)i);
+    pack *p = new_pack(domain, 40, 0.12, (uint64_t)i);
     packing_profile_bin bins[BINS];
     packing_porosity_cell cells[CELLS];
     const packing_volume_report all = whole(domain, p);
@@ -219,28 +219,28 @@ static void sections_add_up_to_volumes(void **state)
     if (scene_dim(&s) == 2)
       continue;
     packing_domain *domain = scene_make(&s);
-    pack *p = new_pack(domain, 30, 0.2, (uint64_t)i + 400);
+    pack *p = new_pack(domain, 12, 0.3, (uint64_t)i + 400);
     const packing_volume_report all = whole(domain, p);
-    for (int axis = 0; axis < 3; axis++) {
+    for (int axis = i % 2; axis < 3; axis += 2) {
       packing_sections_def def;
       packing_sections_report report;
-      packing_section_entry entry[400];
+      packing_section_entry entry[100];
       size_t count;
       double solid = 0, area = 0;
       packing_sections_def_init(&def);
       packing_sections_report_init(&report);
       def.axis = (packing_axis)axis;
-      def.sections = 400;
+      def.sections = 100;
       def.tolerance = 1e-6;
-      assert_ok(packing_measure_sections(NULL, &def, domain, &p->view, entry, 400, &count,
+      assert_ok(packing_measure_sections(NULL, &def, domain, &p->view, entry, 100, &count,
                                          &report));
       for (size_t k = 0; k < count; k++) {
-        solid += entry[k].solid_area * (report.to - report.from) / 400;
-        area += entry[k].container_area * (report.to - report.from) / 400;
+        solid += entry[k].solid_area * (report.to - report.from) / 100;
+        area += entry[k].container_area * (report.to - report.from) / 100;
       }
-      assert_close(area, all.domain_volume, 1e-4);
-      assert_close(solid, all.solid_volume, 3e-4);
-      assert_near(report.porosity, 1 - all.volume_fraction, 2e-4);
+      assert_close(area, all.domain_volume, 1e-3);
+      assert_close(solid, all.solid_volume, 3e-3);
+      assert_near(report.porosity, 1 - all.volume_fraction, 2e-3);
     }
     packing_domain_destroy(domain);
     free(p);
@@ -315,7 +315,7 @@ static uint64_t hash_all(packing_context *context, packing_domain *domain, const
   plane.normal = (packing_vec3){1, 2, 3};
   assert_ok(packing_measure_section(context, &plane, domain, &p->view, disc, DISCS,
                                     &count, &section));
-  assert_in_range(count, 20, DISCS);
+  assert_in_range(count, 10, DISCS);
   hash = test_hash(hash, disc, count * sizeof *disc);
   hash = test_hash(hash, &section, sizeof section);
   packing_section_image_def_init(&image_def);
@@ -335,9 +335,9 @@ static void threads_change_nothing(void **state)
     s.periodic = i == 0 ? 3 : 0;
     packing_domain *domain = scene_make(&s);
     /* More than one block of 4096. */
-    pack *p = new_pack(domain, i == 0 ? MOST : 4500, 0.03, 7);
+    pack *p = new_pack(domain, i == 0 ? MOST : 4200, 0.02, 7);
     const uint64_t hash = hash_all(NULL, domain, p);
-    for (int threads = 2; threads <= 4; threads++) {
+    for (int threads = 2; threads <= 3; threads++) {
       packing_context *context = test_context(threads, PACKING_ISA_AUTO);
       assert_true(hash_all(context, domain, p) == hash);
       packing_context_destroy(context);
@@ -351,15 +351,15 @@ static void threads_change_nothing(void **state)
 static void units_change_nothing(void **state)
 {
   (void)state;
-  for (int i = 0; i < SCENES; i += 2) {
+  for (int i = 0; i < SCENES; i += 4) {
     const scene s = scene_number(i);
     packing_domain *domain = scene_make(&s);
-    pack *p = new_pack(domain, 40, 0.15, (uint64_t)i + 600);
+    pack *p = new_pack(domain, 20, 0.15, (uint64_t)i + 600);
     const int dim = scene_dim(&s);
     for (int e = -40; e <= 40; e += 80) {
       const scene t = scene_scaled(s, ldexp(1, e));
       packing_domain *large = scene_make(&t);
-      pack *q = new_pack(domain, 40, 0.15, (uint64_t)i + 600);
+      pack *q = new_pack(domain, 20, 0.15, (uint64_t)i + 600);
       packing_profile_bin a[BINS], b[BINS];
       packing_porosity_cell c[CELLS], d[CELLS];
       for (size_t k = 0; k < q->view.count; k++) {
@@ -433,18 +433,29 @@ static void custom_containers_come_near(void **state)
   assert_ok(packing_domain_create_custom(NULL, &def, &custom));
   const scene s = {SCENE_SPHERE, 1, 0, 0, 0, {0, 0, 0}, 2, 0, 0};
   packing_domain *sphere = scene_make(&s);
-  pack *p = new_pack(custom, 12, 0.2, 8);
-  for (int kind = 0; kind < 3; kind++) {
-    packing_profile_bin a[BINS], b[BINS];
-    profile(NULL, sphere, p, (packing_profile_kind)kind, 2, a);
-    profile(NULL, custom, p, (packing_profile_kind)kind, 2, b);
-    for (int k = 0, n = 0; k < BINS && n < BINS; k++) {
-      /* The custom one reaches to the corners of its bounds. */
-      if (kind != 0)
-        break;
-      assert_near(a[k].solid, b[k].solid, 12 * 2e-4 * 0.1);
-      assert_near(a[k].volume, b[k].volume, 1e-3 * a[k].volume + 1e-5);
-    }
+  pack *p = new_pack(custom, 5, 0.2, 8);
+  packing_profile_bin a[BINS], b[BINS];
+  profile(NULL, sphere, p, PACKING_PROFILE_SLABS, 2, a);
+  profile(NULL, custom, p, PACKING_PROFILE_SLABS, 2, b);
+  for (int k = 0; k < BINS; k++) {
+    assert_near(b[k].solid, a[k].solid, 5 * 2e-4 * 0.1);
+    assert_near(b[k].volume, a[k].volume, 1e-3 * a[k].volume + 1e-5);
+  }
+  packing_profile_def shells;
+  packing_profile_report report;
+  size_t count;
+  packing_profile_def_init(&shells);
+  packing_profile_report_init(&report);
+  shells.kind = PACKING_PROFILE_CYLINDERS;
+  shells.to = 1;
+  shells.bins = 4;
+  assert_ok(
+      packing_measure_profile(NULL, &shells, sphere, &p->view, a, BINS, &count, &report));
+  assert_ok(
+      packing_measure_profile(NULL, &shells, custom, &p->view, b, BINS, &count, &report));
+  for (int k = 0; k < 4; k++) {
+    assert_near(b[k].solid, a[k].solid, 5 * 2e-4 * 0.1);
+    assert_near(b[k].volume, a[k].volume, 3e-3);
   }
   packing_section_def plane;
   packing_section_report f, g;

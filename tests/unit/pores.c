@@ -273,6 +273,49 @@ static void touching_spheres_have_soddys_pore(void **state)
   }
 }
 
+/* Three spheres that touch each other in a plane, one above and one below: two pores and Descartes'
+ * circle (1, 2, 3) between them. */
+static void touching_spheres_have_descartes_constriction(void **state)
+{
+  (void)state;
+  const double z = 2.43669858620224; /* of a sphere 1.5 that touches all three */
+  pack *p = new_pack();
+  add(p, 0, 0, 0, 1);
+  add(p, 3, 0, 0, 2);
+  add(p, 0, 4, 0, 3);
+  add(p, 0.5, 0.25, z, 1.5);
+  add(p, 0.5, 0.25, -z, 1.5);
+  measure(p);
+  assert_int_equal(p->report.pores, 2);
+  assert_int_equal(p->report.constrictions, 1);
+  assert_int_equal(p->way[0].limit, PACKING_PORE_FREE);
+  assert_close(p->way[0].radius, 6.0 / 23, 1e-13);
+  assert_near(p->way[0].centre.z, 0, 1e-13);
+  assert_true(p->way[0].particles[0] == 0 && p->way[0].particles[2] == 2);
+  assert_close(p->pore[0].radius, p->pore[1].radius, 1e-13);
+  free_pack(p);
+}
+
+/* A tetrahedron whose spheres nearly close the hole, and nearly equal ones: what is left is right to
+ * the rounding of the centres. */
+static void narrow_holes_keep_their_digits(void **state)
+{
+  (void)state;
+  const double around = sqrt(3); /* of corners (+-1, +-1, +-1) */
+  for (int n = 1; n <= 12; n++) {
+    const double left = pow(10, -n), tiny = n % 2 == 0 ? 1e-14 : 0;
+    pack *p = new_pack();
+    add(p, 1, 1, 1, around - left);
+    add(p, 1, -1, -1, around - left - tiny);
+    add(p, -1, 1, -1, around - left + tiny);
+    add(p, -1, -1, 1, around - left);
+    measure(p);
+    assert_int_equal(p->report.pores, 1);
+    assert_near(p->pore[0].radius, left, 1e-15 + 2 * tiny);
+    free_pack(p);
+  }
+}
+
 /* Descartes' circles in the plane. */
 static void touching_discs_have_soddys_pore(void **state)
 {
@@ -455,6 +498,8 @@ int main(void)
       cmocka_unit_test(images_lead_to_the_other_end),
       cmocka_unit_test(touching_spheres_have_soddys_pore),
       cmocka_unit_test(touching_discs_have_soddys_pore),
+      cmocka_unit_test(touching_spheres_have_descartes_constriction),
+      cmocka_unit_test(narrow_holes_keep_their_digits),
       cmocka_unit_test(discs_on_lattices),
       cmocka_unit_test(walls_end_the_network),
       cmocka_unit_test(walls_cut_pores),

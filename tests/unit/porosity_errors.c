@@ -98,7 +98,16 @@ static void profiles_refuse(void **state)
   REFUSED(PACKING_ERR_INVALID, "z", s->box, (void)0);
   s->z[1] = 0.5;
 #undef REFUSED
-  packing_domain *cell = test_box(1e-9, 1, 1, 1);
+  packing_domain *cell = test_box(1, 1, 1, 7);
+  packing_profile_def_init(&def);
+  def.kind = PACKING_PROFILE_SPHERES;
+  def.to = 1e6;
+  assert_fails(s->context,
+               packing_measure_profile(s->context, &def, cell, &s->view, bin, 64,
+                                       &s->count, &report),
+               PACKING_ERR_RANGE, "to");
+  packing_domain_destroy(cell);
+  cell = test_box(1e-9, 1, 1, 1);
   assert_fails(s->context,
                packing_measure_profile(s->context, NULL, cell, &s->view, bin, 64,
                                        &s->count, &report),
@@ -158,6 +167,10 @@ static void maps_refuse(void **state)
   REFUSED(PACKING_ERR_ABI, "struct_size", s->box, def.struct_size = 1);
   REFUSED(PACKING_ERR_INVALID, "domain", NULL, (void)0);
   REFUSED(PACKING_ERR_GEOMETRY, "domain", s->bad, (void)0);
+  packing_domain *periodic = test_box(1, 1, 1, 7);
+  REFUSED(PACKING_ERR_RANGE, "bounds", periodic,
+          def.bounds.hi = ((packing_vec3){1e9, 1, 1}));
+  packing_domain_destroy(periodic);
 #undef REFUSED
   assert_fails(s->context,
                packing_measure_porosity_map(s->context, NULL, s->box, &s->view, NULL, 1,

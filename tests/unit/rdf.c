@@ -285,6 +285,27 @@ static void as_many_bins_as_there_is_room_for(void **state)
   packing_domain_destroy(cell);
 }
 
+/* The border of two shells belongs to the outer one, the double below it to the inner one, however
+ * division rounds (it does both ways with these 49). */
+static void borders_belong_to_the_outer_shell(void **state)
+{
+  (void)state;
+  double x[2] = {0}, y[2] = {0}, z[2] = {0}, radius[2] = {0.01, 0.01};
+  packing_view v;
+  packing_domain *cell = test_box(4, 4, 4, 7);
+  packing_view_init_arrays(&v, 2, x, y, z, radius);
+  const packing_rdf_def def = options(1, 49);
+  for (int k = 1; k < 49; k++)
+    for (int below = 0; below < 2; below++) {
+      const double border = k * (1.0 / 49);
+      x[1] = below ? nextafter(border, 0) : border;
+      const result r = measure(&def, cell, &v);
+      assert_int_equal(r.report.pairs, 2);
+      assert_int_equal(r.bins[k - below].count, 2);
+    }
+  packing_domain_destroy(cell);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -296,6 +317,7 @@ int main(void)
       cmocka_unit_test(components_are_told_apart),
       cmocka_unit_test(diameters_are_the_unit),
       cmocka_unit_test(nothing_to_measure_is_no_failure),
+      cmocka_unit_test(borders_belong_to_the_outer_shell),
       cmocka_unit_test(as_many_bins_as_there_is_room_for),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

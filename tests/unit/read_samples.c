@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files that other programs have written (tests/data/README.md), with the numbers that were
- * given to those programs. TEST_DATA is the directory. */
+ * given to those programs. TEST_DATA is the directory; what zlib made is left out where the
+ * library has none. */
 #include "reading.h"
 
 /* Reads a file whole and in small pieces, which must come to the same. */
@@ -51,7 +52,7 @@ static void lammps_data(void **state)
 {
   packing_context *c = *state;
   static const char *const names[] = {"lammps_sphere.data", "lammps_sphere.data.gz"};
-  for (int k = 0; k < 2; k++) {
+  for (int k = 0; k < 1 + PACKING_I_HAVE_ZLIB; k++) {
     reading r = read_sample(c, "lammps", names[k], PACKING_FRAME_LAST, 0);
     assert_int_equal(r.info.particles, 3);
     assert_box(&r, -0.05, -0.05, 0.029993000000000016, 0.05, 0.05, 0.09001299999999994);
@@ -209,7 +210,7 @@ static void yade(void **state)
 static void yade_vtk(void **state)
 {
   static const char *const names[] = {"yade_ascii.vtu", "yade_zlib.vtu"};
-  for (int k = 0; k < 2; k++) {
+  for (int k = 0; k < 1 + PACKING_I_HAVE_ZLIB; k++) {
     reading r = read_sample(*state, "vtu", names[k], PACKING_FRAME_LAST, 0);
     assert_int_equal(r.info.particles, 3);
     reading_is(&r, 1, (double)0.4F, -0.25, (double)0.001F, 0.0625);
@@ -248,7 +249,7 @@ static void vtk(void **state)
                  {"binary", 0, 0},  {"binary_zlib", 1, 1}, {"raw_big", 1, 0},
                  {"raw_zlib", 0, 1}};
   for (size_t k = 0; k < sizeof samples / sizeof samples[0]; k++)
-    for (int grid = 0; grid < 2; grid++) {
+    for (int grid = 0; grid < 2 && PACKING_I_HAVE_ZLIB >= samples[k].zlib; grid++) {
       char name[64];
       snprintf(name, sizeof name, "vtk_%s.%s", samples[k].name, grid ? "vtu" : "vtp");
       reading r = read_sample(*state, grid ? "vtu" : "vtp", name, PACKING_FRAME_LAST, 0);

@@ -180,7 +180,7 @@ static void dixon_values_are_those_of_the_integral(void **state)
     assert_near(stat_dixon_side(3, q), 0.5 - 3 / M_PI * atan((2 * q - 1) / sqrt(3)),
                 1e-6);
   double numbers[32];
-  for (size_t n = STAT_DIXON_LEAST; n <= STAT_DIXON_MOST; n++) {
+  for (size_t n = STAT_DIXON_LEAST; n <= STAT_DIXON_MOST; n += n < 6 ? 1 : 4) {
     for (size_t i = 0; i < n; i++)
       numbers[i] = (double)i;
     const stat_dixon d = stat_dixon_test(numbers, n);

@@ -3,7 +3,7 @@
  * the last round with probability 7/8, of the others each the round before with 7/8, and so on;
  * within a round points follow a Hilbert curve, so each is near the one before, and memory too.
  * The curve's index is J. Skilling's (AIP Conf. Proc. 707, 2004, 381). Linear. */
-#include "delaunay/order.h"
+#include "delaunay/hilbert.h"
 
 enum {
   AXIS_BITS = 19, /* of a coordinate on the curve in three dimensions */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef PACKING_ORDER_H
-#define PACKING_ORDER_H
+#ifndef PACKING_HILBERT_H
+#define PACKING_HILBERT_H
 
 /* In which order points are inserted. */
 
