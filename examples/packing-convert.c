@@ -27,6 +27,8 @@ static int set_up(convert_job *job)
     code = input_domain(&o->in, o->common.domain, &job->spec, &job->domain_text);
   if (!code)
     code = domain_spec_create(job->context, &job->spec, &job->domain);
+  if (!code && job->domain_text)
+    job->first_domain = program_copy(job->domain_text, strlen(job->domain_text));
   return code;
 }
 
@@ -42,7 +44,10 @@ static int run(convert_job *job, const char *command)
   if (code)
     return code;
   job->report.time_total = program_seconds() - start;
-  return convert_write(job, command);
+  code = convert_write(job, command);
+  if (!code)
+    input_tell_domain(&job->asked->in, job->asked->common.domain, job->first_domain);
+  return code;
 }
 
 static void clean_up(convert_job *job)
@@ -50,6 +55,7 @@ static void clean_up(convert_job *job)
   free(job->bonds);
   packing_domain_destroy(job->domain);
   free(job->domain_text);
+  free(job->first_domain);
   input_files_free(&job->files);
   convert_options_free(job->asked);
   packing_context_destroy(job->context);

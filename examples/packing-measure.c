@@ -46,9 +46,12 @@ static int run(measure_job *job, const char *command)
     code = measure_run(job);
   if (!code)
     code = measure_write(job, command, start);
-  if (!code && !job->asked->common.quiet)
+  if (code)
+    return code;
+  input_tell_domain(&job->asked->in, job->asked->common.domain, job->domain_text);
+  if (!job->asked->common.quiet)
     measure_summary(job);
-  return code;
+  return 0;
 }
 
 static void clean_up(measure_job *job)

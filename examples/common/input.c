@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "input.h"
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -244,24 +243,15 @@ int input_read(input *in, packing_context *context, input_files *files)
 
 char *input_box_text(int dim, const packing_bounds *box, unsigned periodic)
 {
-  static const char *const letters[] = {"", "x", "y", "xy", "z", "xz", "yz", "xyz"};
-  const double lo[] = {box->lo.x, box->lo.y, box->lo.z};
-  const double size[] = {box->hi.x - box->lo.x, box->hi.y - box->lo.y,
-                         box->hi.z - box->lo.z};
-  char l[3][NUMBER_TEXT], at[3][NUMBER_TEXT], *text = NULL;
-  const char *word = periodic ? "+periodic:" : "";
-  for (int k = 0; k < 3; k++) {
-    number_text(l[k], size[k]);
-    number_text(at[k], lo[k]);
-  }
-  const int length =
-      dim == 2 ? asprintf(&text, "rect:%s,%s%s%s+at:%s,%s", l[0], l[1], word,
-                          letters[periodic & 3], at[0], at[1])
-               : asprintf(&text, "box:%s,%s,%s%s%s+at:%s,%s,%s", l[0], l[1], l[2], word,
-                          letters[periodic & 7], at[0], at[1], at[2]);
-  if (length < 0)
-    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
-  return text;
+  domain_spec spec;
+  domain_spec_none(dim, &spec);
+  spec.kind = dim == 2 ? DOMAIN_RECT : DOMAIN_BOX;
+  spec.size[0] = box->hi.x - box->lo.x;
+  spec.size[1] = box->hi.y - box->lo.y;
+  spec.size[2] = box->hi.z - box->lo.z;
+  spec.at = box->lo;
+  spec.periodic = periodic;
+  return domain_spec_text(&spec);
 }
 
 static int has_tilt(const packing_read_info *info)
@@ -297,8 +287,6 @@ int input_domain(const input *in, const char *asked, domain_spec *spec, char **t
   domain_spec_none(dim, spec);
   if (!*text)
     return 0;
-  if (!asked)
-    program_remark("the container is %s, as %s says", *text, in->path);
   const int code = domain_spec_parse(*text, spec);
   if (code)
     return code;
@@ -310,4 +298,13 @@ int input_domain(const input *in, const char *asked, domain_spec *spec, char **t
     return program_fail(PROGRAM_BAD_INPUT, "--dim: %s has %d dimensions", *text,
                         spec->dim);
   return 0;
+}
+
+void input_tell_domain(const input *in, const char *asked, const char *text)
+{
+  const int unsure = !in->domain_note && !in->info.has_periodic;
+  if (!asked && text)
+    program_remark("the container is %s, as %s says%s", text, in->path,
+                   unsure ? "; whether it is periodic, it does not say: taken as walls"
+                          : "");
 }

@@ -38,9 +38,12 @@ void input_announce(input *in, input_files *files);
 /* Reads it; the note gets its hash. */
 int input_read(input *in, packing_context *context, input_files *files);
 
-/* The container: `asked`, or else what the file tells (said aloud), or else none. The text of
- * `spec` is `*text`; free it. */
+/* The container: `asked`, or else what the file tells, or else none. The text of `spec` is `*text`;
+ * free it. */
 int input_domain(const input *in, const char *asked, domain_spec *spec, char **text);
+
+/* After the work: says what the file told of the container, where it was not asked. */
+void input_tell_domain(const input *in, const char *asked, const char *text);
 
 /* The SPEC of a box; free it. */
 char *input_box_text(int dim, const packing_bounds *box, unsigned periodic);

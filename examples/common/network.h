@@ -32,12 +32,4 @@ packing_status network_write_statoil(const packing_pores *pores,
                                      const packing_bounds *box, double reach, int part,
                                      const packing_stream *stream);
 
-/* Writes PREFIX.vtp, PREFIX-pores.csv, PREFIX-constrictions.csv and PREFIX_node1.dat,
- * PREFIX_node2.dat, PREFIX_link1.dat, PREFIX_link2.dat, each whole or not at all. `box` bounds the
- * network along x; the domain may be NULL. Returns 0, or an exit code after one line on
- * standard error. */
-int network_write_files(packing_context *context, const char *prefix,
-                        const packing_pores *pores, const packing_domain *domain,
-                        const packing_bounds *box, double reach);
-
 #endif

@@ -4,11 +4,10 @@
  * its radius of it, the throat what is left, at least a hundredth. Shape factor: area over
  * perimeter squared, 1 / (4 pi) of a circle. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include "network.h"
-#include "network_text.h"
-#include "program.h"
+#include "network_lists.h"
+#include "table.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -57,9 +56,11 @@ static void add_ends(statoil *s, double reach)
   }
 }
 
-static void list_throats(statoil *s, double reach)
+static packing_status list_throats(statoil *s, double reach)
 {
-  s->throats = program_take(s->n.ways + 2 * s->n.pores + 1, sizeof *s->throats);
+  s->throats = calloc(s->n.ways + 2 * s->n.pores + 1, sizeof *s->throats);
+  if (!s->throats)
+    return PACKING_ERR_NOMEM;
   for (size_t i = 0; i < s->n.ways; i++) {
     const packing_constriction *c = &s->n.way[i];
     const packing_pore *a = &s->n.pore[c->a], *b = &s->n.pore[c->b];
@@ -69,14 +70,15 @@ static void list_throats(statoil *s, double reach)
                  a->radius, b->radius);
   }
   add_ends(s, reach);
+  return PACKING_OK;
 }
 
-static void connect(statoil *s)
+static packing_status connect(statoil *s)
 {
-  s->start = program_take(s->n.pores + 2, sizeof *s->start);
-  s->end = program_take(2 * s->count + 1, sizeof *s->end);
-  for (size_t i = 0; i < s->n.pores + 2; i++)
-    s->start[i] = 0;
+  s->start = calloc(s->n.pores + 2, sizeof *s->start);
+  s->end = calloc(2 * s->count + 1, sizeof *s->end);
+  if (!s->start || !s->end)
+    return PACKING_ERR_NOMEM;
   for (size_t i = 0; i < s->count; i++) {
     s->start[s->throats[i].a > 0 ? s->throats[i].a : 0]++;
     s->start[s->throats[i].b > 0 ? s->throats[i].b : 0]++;
@@ -90,59 +92,60 @@ static void connect(statoil *s)
     if (s->throats[i].a > 0)
       s->end[--s->start[s->throats[i].a]] = i;
   }
+  return PACKING_OK;
 }
 
 /* Pore `number`'s throats are [start[number], start[number + 1]): filling moved each start from
  * the end of its list to the beginning. */
-static void put_node1(const statoil *s, network_text *t)
+static void put_node1(const statoil *s, table *t)
 {
-  network_put(t, "%zu %.17g %.17g %.17g\n", s->n.pores, s->box.hi.x - s->box.lo.x,
+  table_print(t, "%zu %.17g %.17g %.17g\n", s->n.pores, s->box.hi.x - s->box.lo.x,
               s->box.hi.y - s->box.lo.y, s->box.hi.z - s->box.lo.z);
   for (size_t i = 0; i < s->n.pores; i++) {
     const packing_vec3 c = s->n.pore[i].centre;
     const size_t first = s->start[i + 1], last = s->start[i + 2];
     const long number = (long)i + 1;
     int inlet = 0, outlet = 0;
-    network_put(t, "%ld %.17g %.17g %.17g %zu", number, c.x - s->box.lo.x,
+    table_print(t, "%ld %.17g %.17g %.17g %zu", number, c.x - s->box.lo.x,
                 c.y - s->box.lo.y, c.z - s->box.lo.z, last - first);
     for (size_t k = first; k < last; k++) {
       const throat *e = &s->throats[s->end[k]];
       const long other = e->a == number ? e->b : e->a;
       inlet |= other == -1;
       outlet |= other == 0;
-      network_put(t, " %ld", other);
+      table_print(t, " %ld", other);
     }
-    network_put(t, " %d %d", inlet, outlet);
+    table_print(t, " %d %d", inlet, outlet);
     for (size_t k = first; k < last; k++)
-      network_put(t, " %zu", s->end[k] + 1);
-    network_put(t, "\n");
+      table_print(t, " %zu", s->end[k] + 1);
+    table_print(t, "\n");
   }
 }
 
-static void put_node2(const statoil *s, network_text *t)
+static void put_node2(const statoil *s, table *t)
 {
   for (size_t i = 0; i < s->n.pores; i++) {
     const double r = s->n.pore[i].radius;
-    network_put(t, "%zu %.17g %.17g %.17g 0\n", i + 1, 4.0 / 3 * PI * r * r * r, r,
+    table_print(t, "%zu %.17g %.17g %.17g 0\n", i + 1, 4.0 / 3 * PI * r * r * r, r,
                 1 / (4 * PI));
   }
 }
 
-static void put_link1(const statoil *s, network_text *t)
+static void put_link1(const statoil *s, table *t)
 {
-  network_put(t, "%zu\n", s->count);
+  table_print(t, "%zu\n", s->count);
   for (size_t i = 0; i < s->count; i++) {
     const throat *e = &s->throats[i];
-    network_put(t, "%zu %ld %ld %.17g %.17g %.17g\n", i + 1, e->a, e->b, e->radius,
+    table_print(t, "%zu %ld %ld %.17g %.17g %.17g\n", i + 1, e->a, e->b, e->radius,
                 1 / (4 * PI), e->total);
   }
 }
 
-static void put_link2(const statoil *s, network_text *t)
+static void put_link2(const statoil *s, table *t)
 {
   for (size_t i = 0; i < s->count; i++) {
     const throat *e = &s->throats[i];
-    network_put(t, "%zu %ld %ld %.17g %.17g %.17g %.17g 0\n", i + 1, e->a, e->b,
+    table_print(t, "%zu %ld %ld %.17g %.17g %.17g %.17g 0\n", i + 1, e->a, e->b,
                 e->length_a, e->length_b, e->length,
                 PI * e->radius * e->radius * e->length);
   }
@@ -152,17 +155,20 @@ packing_status network_write_statoil(const packing_pores *pores,
                                      const packing_bounds *box, double reach, int part,
                                      const packing_stream *stream)
 {
-  static void (*const parts[NETWORK_PARTS])(const statoil *, network_text *) = {
+  static void (*const parts[NETWORK_PARTS])(const statoil *, table *) = {
       put_node1, put_node2, put_link1, put_link2};
   statoil s = {0};
   s.box = *box;
   packing_status status = network_take(pores, &s.n);
+  if (status == PACKING_OK)
+    status = list_throats(&s, reach);
+  if (status == PACKING_OK)
+    status = connect(&s);
   if (status == PACKING_OK) {
-    network_text *t = network_text_begin(stream);
-    list_throats(&s, reach);
-    connect(&s);
-    parts[part](&s, t);
-    status = network_text_end(t);
+    table t;
+    table_open(&t, stream);
+    parts[part](&s, &t);
+    status = table_close(&t);
   }
   free(s.throats);
   free(s.start);

@@ -38,6 +38,9 @@ int domain_spec_parse(const char *text, domain_spec *spec);
 /* The same of another option, say "--crop". */
 int domain_spec_parse_as(const char *option, const char *text, domain_spec *spec);
 
+/* A SPEC of the container as it is now; free it. */
+char *domain_spec_text(const domain_spec *spec);
+
 /* No container, in `dim` dimensions. */
 void domain_spec_none(int dim, domain_spec *spec);
 

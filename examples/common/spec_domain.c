@@ -244,6 +244,56 @@ int domain_spec_parse(const char *text, domain_spec *spec)
   return domain_spec_parse_as("--domain", text, spec);
 }
 
+static void print_numbers(FILE *to, const double *v, size_t count)
+{
+  for (size_t i = 0; i < count; i++) {
+    char text[NUMBER_TEXT];
+    number_text(text, v[i]);
+    fprintf(to, "%s%s", i ? "," : "", text);
+  }
+}
+
+static void print_modifiers(FILE *to, const domain_spec *s)
+{
+  const double at[] = {s->at.x, s->at.y, s->at.z};
+  if (s->periodic)
+    fprintf(to, "+periodic:%s%s%s", s->periodic & PACKING_PERIODIC_X ? "x" : "",
+            s->periodic & PACKING_PERIODIC_Y ? "y" : "",
+            s->periodic & PACKING_PERIODIC_Z ? "z" : "");
+  if (at[0] != 0 || at[1] != 0 || at[2] != 0) {
+    fputs("+at:", to);
+    print_numbers(to, at, (size_t)s->dim);
+  }
+  if (s->open_top)
+    fputs("+open:top", to);
+}
+
+static void print_spec(FILE *to, const domain_spec *s)
+{
+  const kind_row *row = kinds;
+  while (row->kind != s->kind)
+    row++;
+  fprintf(to, "%s:", row->name);
+  print_numbers(to, s->size, count_fields(row));
+  if ((row->can & AXIS) && s->axis != PACKING_AXIS_Z)
+    fprintf(to, ",axis=%c", "xyz"[s->axis]);
+  print_modifiers(to, s);
+}
+
+char *domain_spec_text(const domain_spec *spec)
+{
+  char *text = NULL;
+  size_t size = 0;
+  FILE *to = open_memstream(&text, &size);
+  if (!to)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  print_spec(to, spec);
+  const int failed = ferror(to);
+  if (fclose(to) != 0 || failed || !text)
+    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
+  return text;
+}
+
 double *domain_spec_height(domain_spec *spec)
 {
   for (size_t i = 0; i < KINDS; i++)

@@ -38,23 +38,10 @@ int convert_set_domain(convert_job *job, const char *option, char *text)
   return code ? code : domain_spec_create(job->context, &job->spec, &job->domain);
 }
 
-/* Appends "+WORD:V" or "+WORD:V,V ..." to what the container is. */
-static int append_to_domain(convert_job *job, const char *word, const double *v,
-                            int count)
+/* The container of a changed spec. */
+static int set_spec(convert_job *job, const char *option, const domain_spec *spec)
 {
-  char tail[16 + 3 * NUMBER_TEXT], *text = NULL;
-  int used = snprintf(tail, sizeof tail, "+%s", word);
-  if (!job->domain)
-    return 0;
-  for (int k = 0; k < count; k++) {
-    char number[NUMBER_TEXT];
-    number_text(number, v[k]);
-    used +=
-        snprintf(tail + used, sizeof tail - (size_t)used, "%c%s", k ? ',' : ':', number);
-  }
-  if (asprintf(&text, "%s%s", job->domain_text, tail) < 0)
-    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
-  return convert_set_domain(job, "--domain", text);
+  return job->domain ? convert_set_domain(job, option, domain_spec_text(spec)) : 0;
 }
 
 /* ---- scale and shift ---- */
@@ -88,7 +75,12 @@ static int scale(convert_job *job, const change *c)
     status = map_column(particles, fields[k], c->factor, 0);
   if (status != PACKING_OK)
     return convert_failed(job, c, status);
-  return append_to_domain(job, "scale", &c->factor, 1);
+  domain_spec spec = job->spec;
+  for (size_t k = 0; k < sizeof spec.size / sizeof spec.size[0]; k++)
+    spec.size[k] *= c->factor;
+  spec.at =
+      (packing_vec3){c->factor * spec.at.x, c->factor * spec.at.y, c->factor * spec.at.z};
+  return set_spec(job, "--scale", &spec);
 }
 
 static int shift(convert_job *job, const change *c)
@@ -103,7 +95,9 @@ static int shift(convert_job *job, const change *c)
     status = map_column(job->asked->in.particles, place_fields[k], 1, by[k]);
   if (status != PACKING_OK)
     return convert_failed(job, c, status);
-  return append_to_domain(job, "at", by, job->spec.dim);
+  domain_spec spec = job->spec;
+  spec.at = (packing_vec3){spec.at.x + by[0], spec.at.y + by[1], spec.at.z + by[2]};
+  return set_spec(job, "--shift", &spec);
 }
 
 /* ---- crop ---- */
@@ -163,6 +157,29 @@ static int crop(convert_job *job, const change *c)
   return status == PACKING_OK ? 0 : convert_failed(job, c, status);
 }
 
+/* ---- ids ---- */
+
+packing_status convert_number_ids(packing_particles *particles)
+{
+  const size_t count = packing_particles_count(particles);
+  int64_t *ids = program_take(count, sizeof *ids);
+  for (size_t i = 0; i < count; i++)
+    ids[i] = (int64_t)i + 1;
+  const packing_status status =
+      packing_particles_set(particles, PACKING_FIELD_ID, ids, sizeof *ids);
+  free(ids);
+  return status;
+}
+
+static int renumber(convert_job *job, const change *c)
+{
+  packing_particles *particles = job->asked->in.particles;
+  packing_status status = packing_particles_add_columns(particles, PACKING_COLUMN_ID);
+  if (status == PACKING_OK)
+    status = convert_number_ids(particles);
+  return status == PACKING_OK ? 0 : convert_failed(job, c, status);
+}
+
 /* ---- all of them ---- */
 
 typedef int (*changer)(convert_job *job, const change *c);
@@ -172,7 +189,7 @@ int convert_change(convert_job *job)
   static const changer changers[] = {
       [CHANGE_CROP] = crop,         [CHANGE_SCALE] = scale,
       [CHANGE_SHIFT] = shift,       [CHANGE_REPLICATE] = convert_replicate,
-      [CHANGE_BOND] = convert_bond,
+      [CHANGE_BOND] = convert_bond, [CHANGE_RENUMBER] = renumber,
   };
   const convert_options *o = job->asked;
   int code = 0;

@@ -15,7 +15,8 @@ typedef enum change_kind {
   CHANGE_SCALE,
   CHANGE_SHIFT,
   CHANGE_REPLICATE,
-  CHANGE_BOND
+  CHANGE_BOND,
+  CHANGE_RENUMBER
 } change_kind;
 
 typedef struct change {
@@ -40,8 +41,9 @@ typedef struct convert_job {
   convert_options *asked;
   packing_context *context;
   input_files files;
-  domain_spec spec;  /* of kind DOMAIN_NONE: no container */
-  char *domain_text; /* of spec */
+  domain_spec spec;   /* of kind DOMAIN_NONE: no container */
+  char *domain_text;  /* of spec */
+  char *first_domain; /* the same before any change */
   packing_domain *domain;
   packing_bond *bonds; /* of the particles as they are now */
   size_t bond_count;
@@ -68,6 +70,7 @@ double *convert_take_numbers(size_t count);
 int convert_set_domain(convert_job *job, const char *option, char *text);
 int convert_replicate(convert_job *job, const change *c);
 int convert_bond(convert_job *job, const change *c);
+packing_status convert_number_ids(packing_particles *particles);
 
 /* Makes the report and the files. */
 int convert_write(convert_job *job, const char *command);

@@ -5,15 +5,27 @@
 #include "convert.h"
 
 const char convert_program[] = "packing-convert";
-const char *const change_names[] = {"crop", "scale", "shift", "replicate", "bond"};
+const char *const change_names[] = {"crop",      "scale", "shift",
+                                    "replicate", "bond",  "renumber"};
 
 /* So many copies along an axis at most, and so many particles in all. */
 static const uint64_t MOST_TIMES = 1000000;
 
-enum { KEY_CROP = 0x400, KEY_CROP_BY, KEY_SCALE, KEY_SHIFT, KEY_REPLICATE, KEY_BOND };
+enum {
+  KEY_CROP = 0x400,
+  KEY_CROP_BY,
+  KEY_SCALE,
+  KEY_SHIFT,
+  KEY_REPLICATE,
+  KEY_BOND,
+  KEY_RENUMBER
+};
 
 static const struct argp_option table[] = {
     {NULL, 0, NULL, 0, "On the way, in the order given, each as often as wanted:", 3},
+    {"renumber", KEY_RENUMBER, NULL, 0,
+     "ids become 1, 2, 3 ... (those of .geo files begin at 0, LAMMPS wants them above)",
+     3},
     {"crop", KEY_CROP, "SPEC", 0,
      "keep the particles inside this container, which is the pack's own from then on", 3},
     {"crop-by", KEY_CROP_BY, "WHAT", 0,
@@ -107,6 +119,8 @@ static int read_change(change_kind kind, const char *text, convert_options *o)
     return read_shift(text, c);
   case CHANGE_BOND:
     return read_gap(text, c);
+  case CHANGE_RENUMBER:
+    return 0;
   default:
     return read_replicate(text, c);
   }
@@ -125,6 +139,8 @@ static int read_own(int key, const char *text, convert_options *o)
     return read_change(CHANGE_SHIFT, text, o);
   case KEY_BOND:
     return read_change(CHANGE_BOND, text, o);
+  case KEY_RENUMBER:
+    return read_change(CHANGE_RENUMBER, "", o);
   case KEY_REPLICATE:
     return read_change(CHANGE_REPLICATE, text, o);
   default:

@@ -37,20 +37,6 @@ static packing_status append_copy(packing_particles *to, const packing_view *vie
   return packing_particles_append(to, &copy);
 }
 
-static packing_status number_ids(packing_particles *particles)
-{
-  const size_t count = packing_particles_count(particles);
-  if (!(packing_particles_columns(particles) & PACKING_COLUMN_ID))
-    return PACKING_OK;
-  int64_t *ids = program_take(count, sizeof *ids);
-  for (size_t i = 0; i < count; i++)
-    ids[i] = (int64_t)i + 1;
-  const packing_status status =
-      packing_particles_set(particles, PACKING_FIELD_ID, ids, sizeof *ids);
-  free(ids);
-  return status;
-}
-
 static packing_status copy_particles(const convert_job *job, const lattice *l,
                                      packing_particles *to)
 {
@@ -63,7 +49,9 @@ static packing_status copy_particles(const convert_job *job, const lattice *l,
       for (size_t ix = 0; ix < l->times[0] && status == PACKING_OK; ix++)
         status = append_copy(to, &view, offset(l, ix, iy, iz), moved);
   free(moved);
-  return status == PACKING_OK ? number_ids(to) : status;
+  if (status == PACKING_OK && (packing_particles_columns(to) & PACKING_COLUMN_ID))
+    status = convert_number_ids(to);
+  return status;
 }
 
 /* How many periods lie between the image of j that is next to i, and j itself. */

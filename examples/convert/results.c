@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Report and files. */
 #include <stdlib.h>
+#include <string.h>
 #include "../common/measures.h"
 #include "../common/program.h"
 #include "convert.h"
@@ -91,6 +92,32 @@ static char *make_report(convert_job *job, const char *command)
   return report_text(report_object(r));
 }
 
+static int wants_ids_above_0(const char *format)
+{
+  return format && (strcmp(format, "lammps") == 0 || strcmp(format, "liggghts") == 0);
+}
+
+/* What LAMMPS would refuse is told with the way out. */
+static int check_ids(const convert_job *job, const packing_view *view)
+{
+  const outputs *all = &job->asked->common.outputs;
+  int64_t least = 1;
+  for (size_t i = 0; view->id.data && i < view->count; i++) {
+    const int64_t id = *(const int64_t *)(const void *)((const char *)view->id.data +
+                                                        i * view->id.stride);
+    least = id < least ? id : least;
+  }
+  for (size_t i = 0; i < all->count && least < 1; i++)
+    if (wants_ids_above_0(all->items[i].format))
+      return program_fail(
+          PROGRAM_BAD_INPUT,
+          "%s: %s: there is an id of %lld, and %s wants them above 0: see "
+          "--renumber",
+          all->items[i].option, all->items[i].path, (long long)least,
+          all->items[i].format);
+  return 0;
+}
+
 int convert_write(convert_job *job, const char *command)
 {
   options *o = &job->asked->common;
@@ -103,7 +130,9 @@ int convert_write(convert_job *job, const char *command)
                       .view = &view,
                       .dim = job->spec.dim,
                       .limit = o->max_overlap};
-  int code = measures_fill(&job->report, &m, NULL);
+  int code = check_ids(job, &view);
+  if (!code)
+    code = measures_fill(&job->report, &m, NULL);
   if (code)
     return code;
   pack p = pack_of(job, &view);

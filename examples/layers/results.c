@@ -164,7 +164,9 @@ static void fill_notes(const layers_job *job, const layered_pack *made, notes *a
 {
   const layers_options *o = job->asked;
   notes_add(all, "program", "%s %s", layers_program, packing_version());
-  notes_add(all, "domain", "%s", job->domain_text);
+  char *domain = domain_spec_text(&job->spec);
+  notes_add(all, "domain", "%s", domain);
+  free(domain);
   notes_add(all, "psd", "%s", job->psd_text);
   notes_add(all, "layers", "%zu of height %.9g at volume fraction %.9g, until %s",
             made->count, o->layer_height, o->layer_density, layers_end_names[o->end]);

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of what was found. */
 #include <stdlib.h>
+#include "../common/network.h"
 #include "../common/table.h"
 #include "measure.h"
-
-enum { AT_ONCE = 65536 }; /* entries copied from the library */
 
 static const char CONTACT_HEADER[] = "i,j,image_x,image_y,image_z,nx,ny,nz,gap,wall\n";
 
@@ -72,69 +71,48 @@ packing_status write_map(const pack *p, const packing_stream *stream)
 
 /* ---- the network of pores ---- */
 
-static const char *limit_name(packing_pore_limit limit)
-{
-  static const char *const names[] = {"free", "particle", "wall", "open"};
-  return names[limit];
-}
-
-/* An index, or -1 for none. */
-static long long index_of(size_t i)
-{
-  return i == PACKING_NO_INDEX ? -1 : (long long)i;
-}
-
-static void print_pore(table *t, size_t number, const packing_pore *pore)
-{
-  table_print(t, "%zu,%.17g,%.17g,%.17g,%.17g,%zu,%s,%lld,%lld,%lld,%lld\n", number,
-              pore->centre.x, pore->centre.y, pore->centre.z, pore->radius,
-              pore->coordination, limit_name(pore->limit), index_of(pore->particles[0]),
-              index_of(pore->particles[1]), index_of(pore->particles[2]),
-              index_of(pore->particles[3]));
-}
-
 packing_status write_pores(const pack *p, const packing_stream *stream)
 {
-  const packing_pores *network = ((const measure_job *)p->own)->pores.network;
-  packing_pore *list = malloc(AT_ONCE * sizeof *list);
-  packing_status status = list ? PACKING_OK : PACKING_ERR_NOMEM;
-  table t;
-  size_t all = network != NULL;
-  table_open(&t, stream);
-  table_print(&t, "pore,x,y,z,r,coordination,limit,p1,p2,p3,p4\n");
-  for (size_t at = 0; at < all && status == PACKING_OK; at += AT_ONCE) {
-    status = packing_pores_list(network, at, AT_ONCE, list, &all);
-    for (size_t k = 0; k < AT_ONCE && at + k < all && status == PACKING_OK; k++)
-      print_pore(&t, at + k, &list[k]);
-  }
-  free(list);
-  const packing_status written = table_close(&t);
-  return status == PACKING_OK ? written : status;
-}
-
-static void print_constriction(table *t, const packing_constriction *c)
-{
-  table_print(t, "%zu,%zu,%d,%d,%d,%.17g,%.17g,%.17g,%.17g,%s,%lld,%lld,%lld\n", c->a,
-              c->b, c->image[0], c->image[1], c->image[2], c->centre.x, c->centre.y,
-              c->centre.z, c->radius, limit_name(c->limit), index_of(c->particles[0]),
-              index_of(c->particles[1]), index_of(c->particles[2]));
+  return network_write_pores(((const measure_job *)p->own)->pores.network, stream);
 }
 
 packing_status write_constrictions(const pack *p, const packing_stream *stream)
 {
-  const packing_pores *network = ((const measure_job *)p->own)->pores.network;
-  packing_constriction *list = malloc(AT_ONCE * sizeof *list);
-  packing_status status = list ? PACKING_OK : PACKING_ERR_NOMEM;
-  table t;
-  size_t all = network != NULL;
-  table_open(&t, stream);
-  table_print(&t, "a,b,image_x,image_y,image_z,x,y,z,r,limit,p1,p2,p3\n");
-  for (size_t at = 0; at < all && status == PACKING_OK; at += AT_ONCE) {
-    status = packing_pores_constrictions(network, at, AT_ONCE, list, &all);
-    for (size_t k = 0; k < AT_ONCE && at + k < all && status == PACKING_OK; k++)
-      print_constriction(&t, &list[k]);
-  }
-  free(list);
-  const packing_status written = table_close(&t);
-  return status == PACKING_OK ? written : status;
+  return network_write_constrictions(((const measure_job *)p->own)->pores.network,
+                                     stream);
+}
+
+packing_status write_network(const pack *p, const packing_stream *stream)
+{
+  return network_write_vtp(((const measure_job *)p->own)->pores.network, p->domain,
+                           stream);
+}
+
+/* Pores within a mean radius of the box's ends are inlet or outlet. */
+static packing_status write_statoil(const pack *p, int part, const packing_stream *stream)
+{
+  const measure_job *job = p->own;
+  packing_bounds box;
+  packing_domain_bounds(p->domain, &box);
+  return network_write_statoil(job->pores.network, &box, job->sizes.mean, part, stream);
+}
+
+packing_status write_node1(const pack *p, const packing_stream *stream)
+{
+  return write_statoil(p, NETWORK_NODE1, stream);
+}
+
+packing_status write_node2(const pack *p, const packing_stream *stream)
+{
+  return write_statoil(p, NETWORK_NODE2, stream);
+}
+
+packing_status write_link1(const pack *p, const packing_stream *stream)
+{
+  return write_statoil(p, NETWORK_LINK1, stream);
+}
+
+packing_status write_link2(const pack *p, const packing_stream *stream)
+{
+  return write_statoil(p, NETWORK_LINK2, stream);
 }

@@ -17,7 +17,7 @@ typedef struct profile_ask {
   packing_profile_kind kind;
   packing_axis axis;
   size_t bins;
-  char name[8]; /* "x", "radius", "sphere" */
+  char name[16]; /* "x", "radius", "sphere" */
 } profile_ask;
 
 /* --section */
@@ -205,6 +205,11 @@ packing_status write_bonds(const pack *p, const packing_stream *stream);
 packing_status write_map(const pack *p, const packing_stream *stream);
 packing_status write_pores(const pack *p, const packing_stream *stream);
 packing_status write_constrictions(const pack *p, const packing_stream *stream);
+packing_status write_network(const pack *p, const packing_stream *stream);
+packing_status write_node1(const pack *p, const packing_stream *stream);
+packing_status write_node2(const pack *p, const packing_stream *stream);
+packing_status write_link1(const pack *p, const packing_stream *stream);
+packing_status write_link2(const pack *p, const packing_stream *stream);
 packing_status plot_sizes(const pack *p, const packing_stream *stream);
 packing_status plot_rdf(const pack *p, const packing_stream *stream);
 packing_status plot_coordination(const pack *p, const packing_stream *stream);

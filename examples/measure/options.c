@@ -65,7 +65,11 @@ static const struct argp_option table[] = {
      "porosity in each cell of a grid; its cells as a table in FILE (CSV)", 4},
     {"pores", KEY_PORES, NULL, 0, "pores and constrictions", 4},
     {"pore-network", KEY_PORE_FILES, "PREFIX", 0,
-     "and their network as PREFIX-pores.csv and PREFIX-constrictions.csv", 4},
+     "and their network: PREFIX.vtp (ParaView), PREFIX-pores.csv, "
+     "PREFIX-constrictions.csv and, in three dimensions, the Statoil format of "
+     "pore-network "
+     "codes, flow along x: PREFIX_node1.dat, _node2, _link1, _link2",
+     4},
     {"pore-merge", KEY_PORE_MERGE, "SHARE", 0,
      "pores of which more than SHARE of the diameter lies in a larger one belong to that",
      4},

@@ -123,17 +123,33 @@ static void add_plots(measure_job *job)
                o->svg ? ".svg" : ".png", plots[i].write);
 }
 
+static void add_network(measure_job *job)
+{
+  static const struct {
+    const char *tail, *extension;
+    pack_writer write;
+    int flat; /* 1: also of two dimensions */
+  } parts[] = {{"", ".vtp", write_network, 1},
+               {"-pores", ".csv", write_pores, 1},
+               {"-constrictions", ".csv", write_constrictions, 1},
+               {"_node1", ".dat", write_node1, 0},
+               {"_node2", ".dat", write_node2, 0},
+               {"_link1", ".dat", write_link1, 0},
+               {"_link2", ".dat", write_link2, 0}};
+  measure_options *o = job->asked;
+  for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
+    if (parts[i].flat || job->spec.dim == 3)
+      add_file(&o->common.outputs, "--pore-network", o->pores_prefix, parts[i].tail,
+               parts[i].extension, parts[i].write);
+}
+
 int measure_add_outputs(measure_job *job)
 {
   measure_options *o = job->asked;
   if (o->plot)
     add_plots(job);
-  if (o->pores_prefix) {
-    add_file(&o->common.outputs, "--pore-network", o->pores_prefix, "-pores", ".csv",
-             write_pores);
-    add_file(&o->common.outputs, "--pore-network", o->pores_prefix, "-constrictions",
-             ".csv", write_constrictions);
-  }
+  if (o->pores_prefix)
+    add_network(job);
   return outputs_check(&o->common.outputs, job->context, &job->files);
 }
 

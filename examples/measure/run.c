@@ -43,7 +43,7 @@ int measure_run(measure_job *job)
       {"profiles", profiles_measure, o->profile_count > 0},
       {"sections", sections_measure, o->section_count > 0},
       {"map", map_measure, o->map_text != NULL},
-      {"pores", pores_measure, some && o->pores},
+      {"pores", pores_measure, o->pores},
       {"sizes", sizes_measure, some},
   };
   const size_t count = sizeof stages / sizeof stages[0];

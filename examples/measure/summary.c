@@ -86,8 +86,11 @@ static void say_sizes(const measure_job *job)
   const packing_size_tests_report *t = &job->sizes.tests;
   if (!job->psd || !job->sizes.made)
     return;
-  say("sizes", "Kolmogorov-Smirnov %.4f (p %.3g), chi-square p %.3g; by mass MAE %.3g %%",
-      t->ks, t->ks_p, t->chi_square_p, job->sizes.errors.mae);
+  char chi_square[48] = "";
+  if (isfinite(t->chi_square_p))
+    snprintf(chi_square, sizeof chi_square, ", chi-square p %.3g", t->chi_square_p);
+  say("sizes", "Kolmogorov-Smirnov %.4f (p %.3g)%s; by mass MAE %.3g %%", t->ks, t->ks_p,
+      chi_square, job->sizes.errors.mae);
 }
 
 static void say_sections(const measure_job *job)

@@ -26,10 +26,39 @@ LAYERS = {
     "packs of discs": ["--domain", "rect:0.3,0.06+periodic:x", "--psd", "mono:0.02",
                        "--packs", "2", *SETTLED],
 }
-PACKS = {"packing-cloud": CLOUD, "packing-layers": LAYERS}[NAME]
+CONVERT = {
+    "a table": ["--in", "p.csv", "--crop", "box:3,3,3", "--scale", "2", "--shift", "1,1,1",
+                "--replicate", "2,2,1", "--bond", "0.5", "--renumber"],
+    "bonds": ["--in", "g.geo", "--renumber", "--replicate", "2,1,1"],
+    "VTK": ["--in", "v.vtp", "--domain", "box:4,4,4"],
+}
+MEASURE = {
+    "spheres": ["--in", "p.csv", "--psd", "0.5*curve:c.csv+0.5*sample:s.txt", "--sieves",
+                "0.5,0.3", "--profile", "z,3", "--section", "z,2", "--normals", "6", "--rdf",
+                "1,5", "--tolerance", "0.5"],
+    "discs": ["--in", "xyz:x.xyz", "--profile", "x,4", "--order", "nearest:2"],
+}
+PACKS = {"packing-cloud": CLOUD, "packing-convert": CONVERT, "packing-layers": LAYERS,
+         "packing-measure": MEASURE}[NAME]
 OUT = ["pack.csv", "pack.vtp", "pack.data", "pack.xyz", "yade:pack.txt"]
+if NAME == "packing-measure":
+    OUT = [["--contacts", "contacts.csv"], ["--bonds", "0.5:bonds.csv"],
+           ["--map", "2,2:map.csv"], ["--pore-network", "pores"]]
+# A report full of numbers is made of thousands of like requests: every third is enough.
+STEP = 3 if NAME == "packing-measure" else 1
+ROWS = "x,y,z,r\n1,1,1,0.2\n1.5,1,1,0.2\n1,1.5,1,0.3\n2,1,2,0.2\n1,1,1.5,0.3\n"
 INPUT = {"c.csv": "diameter,passing\n0.2,0\n0.4,1\n", "s.txt": "0.2\n0.3\n",
-         "r.txt": "0.02\n0.025\n"}
+         "r.txt": "0.02\n0.025\n", "p.csv": "# domain: box:4,4,4+periodic\n" + ROWS,
+         "x.xyz": '2\nLattice="4 0 0 0 4 0 0 0 1" Properties=species:S:1:pos:R:3:radius:R:1 '
+                  'pbc="T T F"\nX 1 1 0 .5\nX 2 1 0 .5\n',
+         "g.geo": "LSMGeometry 1.2\nBoundingBox 0 0 0 4 4 4\nPeriodicBoundaries 1 0 0\n"
+                  "Dimension 3D\nBeginParticles\nSimple\n2\n0.5 2 2 0.5 0 1\n"
+                  "1.5 2 2 0.5 1 1\nEndParticles\nBeginConnect\n1\n0 1 5\nEndConnect\n",
+         "v.vtp": '<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian">'
+                  '<PolyData><Piece NumberOfPoints="1"><Points><DataArray type="Float64" '
+                  'NumberOfComponents="3" format="ascii">1 1 1</DataArray></Points>'
+                  '<PointData><DataArray type="Float64" Name="radius" format="ascii">0.5'
+                  '</DataArray></PointData></Piece></PolyData></VTKFile>\n'}
 
 
 def without_times(report):
@@ -46,7 +75,8 @@ def run(program, arguments, fail_at):
     with Folder(program) as folder:
         for name, text in INPUT.items():
             folder.write(name, text)
-        outs = [word for name in OUT for word in ("--out", name)]
+        outs = [word for name in OUT for word in
+                (["--out", name] if isinstance(name, str) else name)]
         result = folder.run(*arguments, *outs, "--threads", "1", "--report", "report.json",
                             env=dict(os.environ, LD_PRELOAD=MODULE, FAIL_AT=str(fail_at)))
         result.files = {name: folder.read(name) for name in result.files
@@ -62,7 +92,8 @@ def survives(arguments):
     def test(program):
         whole = run(program, arguments, 0)
         packs = 2 if "--packs" in arguments else 1
-        equal((whole.code, len(whole.files)), (DONE, packs * len(OUT) + 1), whole.err)
+        equal(whole.code, DONE, whole.err)
+        holds(len(whole.files) >= packs * len(OUT) + 1, "files: %s" % sorted(whole.files))
         refused, fail_at, unnoticed = 0, 1, 0
         while unnoticed < 50:  # more than the C library does without in a row
             result = run(program, arguments, fail_at)
@@ -74,7 +105,7 @@ def survives(arguments):
                 equal(sorted(result.files), [], "files, request %d" % fail_at)
                 one_line(result, NAME, "out of memory")
                 refused, unnoticed = refused + 1, 0
-            fail_at += 1
+            fail_at += STEP
         holds(refused > 200, "only %d requests were refused" % refused)
     return test
 
