@@ -4,6 +4,7 @@
 Solids Struct. 13, 23, 2016) by packing-layers, beside the paper's tables.
 
     doc/results/layers.py [--program build/examples/packing-layers] [--work build/results-layers]
+        [--measure build/examples/packing-measure]
 
 Needs python3-numpy and python3-matplotlib. Packs are independent: each is a process of one thread,
 two at a time. What was made is kept in the work folder, keyed by the options and by the bytes of
@@ -31,6 +32,8 @@ def read_options():
     p = argparse.ArgumentParser(description=__doc__,
                                 formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("--program", default=str(ROOT / "build/examples/packing-layers"))
+    p.add_argument("--measure", default=str(ROOT / "build/examples/packing-measure"),
+                   help="what tells how ordered the packs are")
     p.add_argument("--work", default=str(ROOT / "build/results-layers"),
                    help="folder of raw results")
     p.add_argument("--only", default="", metavar="PART,...",
@@ -197,11 +200,12 @@ def main():
     if unknown:
         sys.exit(f"--only: no part {', '.join(sorted(unknown))}; there are "
                  f"{', '.join(parts.ORDER)}")
-    if not os.access(arguments.program, os.X_OK):
-        sys.exit(f"{arguments.program} is missing: meson setup build --buildtype=release && "
-                 "ninja -C build")
+    for program in (arguments.program, arguments.measure):
+        if not os.access(program, os.X_OK):
+            sys.exit(f"{program} is missing: meson setup build --buildtype=release && "
+                     "ninja -C build")
     work = pathlib.Path(arguments.work) / ("quick" if arguments.quick else "full")
-    store = runs.Store(arguments.program, work, arguments.rate)
+    store = runs.Store(arguments.program, arguments.measure, work, arguments.rate)
     plan = parts.Plan(arguments.quick, arguments.packs)
     groups, slip = plan_groups(plan, store, [] if arguments.estimate else wanted)
     estimate(store, groups, wanted, arguments.processes)

@@ -39,6 +39,7 @@ typedef struct measure_options {
   int no_order;
   packing_neighbours_def neighbours; /* of the measures of order */
   const char *order_text;            /* as typed; NULL: default */
+  const char *order_file;            /* NULL: none */
   profile_ask *profiles;
   size_t profile_count;
   section_ask *sections;
@@ -73,6 +74,10 @@ typedef struct order_found {
   packing_hexatic_report hexatic;             /* two dimensions */
   packing_common_neighbours_report structure; /* three dimensions */
   int has_structure;
+  packing_bond_order
+      *local[2]; /* of l = 4 and 6, of each sphere; with a file of them only */
+  packing_structure *structures; /* likewise */
+  packing_hexatic *discs;        /* likewise, of each disc */
 } order_found;
 
 typedef struct rdf_found {
@@ -173,6 +178,7 @@ void contacts_report(const measure_job *job, cJSON *all);
 int normals_measure(measure_job *job);
 cJSON *normals_report(const measure_job *job);
 int order_measure(measure_job *job);
+void order_free(order_found *found);
 cJSON *order_report(const measure_job *job);
 int rdf_measure(measure_job *job);
 cJSON *rdf_report(const measure_job *job);
@@ -202,6 +208,7 @@ void measure_summary(const measure_job *job);
 /* files.c, plot_*.c: the writers of tables and pictures; `own` of the pack is the job. */
 packing_status write_contacts(const pack *p, const packing_stream *stream);
 packing_status write_bonds(const pack *p, const packing_stream *stream);
+packing_status write_order(const pack *p, const packing_stream *stream);
 packing_status write_map(const pack *p, const packing_stream *stream);
 packing_status write_pores(const pack *p, const packing_stream *stream);
 packing_status write_constrictions(const pack *p, const packing_stream *stream);

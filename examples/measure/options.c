@@ -14,6 +14,7 @@ enum {
   KEY_UP,
   KEY_RDF,
   KEY_ORDER,
+  KEY_ORDER_LIST,
   KEY_PROFILE,
   KEY_SECTION,
   KEY_MAP,
@@ -48,6 +49,8 @@ static const struct argp_option table[] = {
      "neighbours of the bond orders: a factor F, centres at most F (r_i + r_j) apart "
      "(default 1.2), nearest:N, or none: no bond orders",
      4},
+    {"order-list", KEY_ORDER_LIST, "FILE", 0,
+     "write the bond orders of each particle (CSV)", 4},
     {"rdf", KEY_RDF, "RMAX[,BINS]", 0,
      "radial distribution up to RMAX mean diameters (default with --plot: 5, or less "
      "where a small container leaves no centre; 100 bins)",
@@ -272,6 +275,15 @@ static int read_contacts(const char *text, measure_options *o)
   return 0;
 }
 
+static int read_order_list(const char *text, measure_options *o)
+{
+  if (o->order_file || !*text)
+    return BAD("--order-list: %s", *text ? "given twice" : "a file name is missing");
+  o->order_file = text;
+  outputs_add(&o->common.outputs, "--order-list", text, text)->write = write_order;
+  return 0;
+}
+
 static int read_pore_merge(const char *text, measure_options *o)
 {
   const int code = number_real("--pore-merge", text, &o->pores_overlap);
@@ -318,6 +330,8 @@ static int read_own(int key, const char *text, measure_options *o)
     return read_rdf(text, o);
   case KEY_ORDER:
     return read_order(text, o);
+  case KEY_ORDER_LIST:
+    return read_order_list(text, o);
   case KEY_PROFILE:
     return read_profile(text, o);
   case KEY_SECTION:
@@ -410,6 +424,8 @@ int measure_options_check(const measure_options *o)
     return code;
   if (o->svg && !o->plot)
     return BAD("--plot-format: there is no --plot");
+  if (o->order_file && o->no_order)
+    return BAD("--order-list: --order is none");
   return 0;
 }
 

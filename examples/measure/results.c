@@ -50,6 +50,7 @@ static cJSON *report_options(const measure_job *job)
   report_add_text(all, "bonds", o->bond_text);
   report_add_count(all, "normals", o->normals ? (size_t)o->normals : REPORT_NONE);
   report_add_text(all, "order", o->order_text ? o->order_text : "1.2");
+  report_add_text(all, "order_list", o->order_file);
   report_add_real(all, "rdf", job->rdf.bins ? job->rdf.r_max : (double)NAN);
   report_add_count(all, "rdf_bins", job->rdf.bins ? o->rdf_bins : REPORT_NONE);
   report_asked_void(all, o);

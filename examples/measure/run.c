@@ -86,6 +86,7 @@ void measure_free(measure_job *job)
   free_sections(job);
   free(job->normals.bins);
   free(job->normals.counts);
+  order_free(&job->order);
   free(job->rdf.bins);
   free(job->map.cells);
   free(job->sizes.openings);

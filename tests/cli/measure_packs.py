@@ -82,7 +82,7 @@ LATTICES = {
             [(0, 0, 0), (.5, .5, 0), (.5, 1 / 6, .5), (0, 2 / 3, .5)],
             math.pi / (3 * SQRT2), 12, THIRD, .097222, .484762),
     "simple hexagonal": ((1, SQRT3, 1), [(0, 0, 0), (.5, .5, 0)], math.pi / (3 * SQRT3), 8,
-                         [3 / 8, 3 / 8, 1 / 4], None, None),
+                         [3 / 8, 3 / 8, 1 / 4], .531250, .504012),
 }
 
 
@@ -105,10 +105,9 @@ def lattices_have_their_numbers(program):
         for got, wanted in zip(report["fabric"]["eigenvalues"], eigenvalues):
             near(got, wanted, 1e-12, name + " fabric")
         order = report["measures"]["order"]
-        if q4:
-            near(order["q4"]["global"], q4, 1e-6, name + " Q4")
-            near(order["q6"]["global"], q6, 1e-6, name + " Q6")
-            near(order["q6"]["mean"], q6, 1e-6, name + " local q6")
+        near(order["q4"]["global"], q4, 1e-6, name + " Q4")
+        near(order["q6"]["global"], q6, 1e-6, name + " Q6")
+        near(order["q6"]["mean"], q6, 1e-6, name + " local q6")
     report, _, _ = measured(program, lattice_text("fcc"))
     equal(report["measures"]["order"]["structures"],
           {"other": 0, "fcc": 4, "hcp": 0, "bcc": 0, "icosahedral": 0}, "structures")
@@ -258,6 +257,35 @@ def lists_agree_with_brute_force(program):
     equal(degrees["non_stable"] + degrees["stable"] + degrees["firm"], 300, "classes")
 
 
+def orders_of_each(program):
+    """The list has the means that the report tells; an order counts where it stands."""
+    report, files, _ = measured(program, lattice_text("hcp"), "--order-list", "o.csv",
+                                files=["o.csv"])
+    lines = files["o.csv"].decode().splitlines()
+    equal(lines[0], "i,q4,q4_averaged,w4,q6,q6_averaged,w6,structure", "header")
+    equal(len(lines), 1 + report["particles"], "lines")
+    for i, line in enumerate(lines[1:]):
+        number, q4, _, _, q6, averaged, _, structure = line.split(",")
+        equal((number, structure), (str(i), "hcp"), "particle")
+        near(float(q4), LATTICES["hcp"][5], 1e-6, "q4")
+        near(float(q6), LATTICES["hcp"][6], 1e-6, "q6")
+        holds(0 < float(averaged) <= float(q6) + 1e-12, "averaged")
+    _, files, _ = measured(program, lattice_text("hcp"), "--order", "nearest:12",
+                           "--order-list", "o.csv", files=["o.csv"])
+    holds(b"structure" not in files["o.csv"], "structures of the nearest")
+    flat = table([(0, 0, .5), (.9, .1, .5), (.1, 1, .5), (2, 2, .4)], "rect:3,3", "x,y,r")
+    report, files, _ = measured(program, flat, "--order-list", "o.csv", files=["o.csv"])
+    psi = rows(files["o.csv"])
+    equal([row["neighbours"] for row in psi], [2, 1, 1, 0], "neighbours")
+    order = report["measures"]["order"]["psi6"]
+    near(sum(row["psi6"] for row in psi) / 4, order["mean"], 1e-12, "mean")
+    near(math.hypot(sum(row["psi6_re"] for row in psi), sum(row["psi6_im"] for row in psi)) / 4,
+         order["global"], 1e-12, "global")
+    turn = [6 * math.atan2(.1, .9), 6 * math.atan2(1, .1)]
+    near(psi[1]["psi6_re"], math.cos(turn[0]), 1e-12, "one bond")
+    near(psi[0]["psi6_im"], (math.sin(turn[0]) + math.sin(turn[1])) / 2, 1e-12, "two bonds")
+
+
 def void_adds_up(program):
     """Profiles and maps hold the whole container; sections of the cubic lattice are known."""
     centres = [(x + .5, y + .5, z + .5, .5) for x in range(4) for y in range(4)
@@ -350,8 +378,8 @@ def plots_are_drawn(program):
 def a_pack_of_nothing(program):
     report, files, said = measured(program, "# domain: box:1,1,1\nx,y,z,r\n", "--plot", "a",
                                    "--pores", "--map", "1,1,1", "--contacts", "c.csv",
-                                   "--bonds", "1:b.csv",
-                                   files=["b.csv", "c.csv"] + ["a-%s.png" % n for n in PLOTS])
+                                   "--bonds", "1:b.csv", "--order-list", "o.csv",
+                                   files=["b.csv", "c.csv", "o.csv"] + ["a-%s.png" % n for n in PLOTS])
     equal((report["particles"], report["porosity"]), (0, 1), "nothing but void")
     equal(report["coordination"]["mean"], None, "coordination")
     equal(report["measures"]["map"]["mean"], 1, "map")
@@ -408,7 +436,7 @@ def help_mentions_every_option(program):
         equal((result.code, result.err), (DONE, ""), "exit code, standard error")
         text = result.out.decode()
         for name in ("in domain psd dim frame sort radius-array diameter-array tolerance up "
-                     "contacts bonds normals order rdf profile section map pores pore-network "
+                     "contacts bonds normals order order-list rdf profile section map pores pore-network "
                      "pore-merge sieves plot plot-format threads isa report max-overlap quiet "
                      "version help").split():
             holds("--" + name in text, name)
@@ -422,7 +450,7 @@ def help_mentions_every_option(program):
 main([(test.__name__.replace("_", " "), test) for test in (
     lattices_have_their_numbers, discs_have_their_numbers, pores_of_the_cubic_lattice,
     report_has_every_key, unlike_audits_are_told, container_comes_from_where_it_is_told,
-    lists_agree_with_brute_force, void_adds_up, sieves_and_errors, components_are_told,
+    lists_agree_with_brute_force, orders_of_each, void_adds_up, sieves_and_errors, components_are_told,
     plots_are_drawn, a_pack_of_nothing, quiet_says_nothing, any_machine_finds_the_same,
     stops_when_told, help_mentions_every_option)] + [
     ("as packing-cloud reported: spheres in a cylinder",

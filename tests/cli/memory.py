@@ -42,7 +42,7 @@ PACKS = {"packing-cloud": CLOUD, "packing-convert": CONVERT, "packing-layers": L
          "packing-measure": MEASURE}[NAME]
 OUT = ["pack.csv", "pack.vtp", "pack.data", "pack.xyz", "yade:pack.txt"]
 if NAME == "packing-measure":
-    OUT = [["--contacts", "contacts.csv"], ["--bonds", "0.5:bonds.csv"],
+    OUT = [["--contacts", "contacts.csv"], ["--order-list", "order.csv"], ["--bonds", "0.5:bonds.csv"],
            ["--map", "2,2:map.csv"], ["--pore-network", "pores"]]
 # A report full of numbers is made of thousands of like requests: every third is enough.
 STEP = 3 if NAME == "packing-measure" else 1

@@ -8,8 +8,6 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
 
-from making import order  # noqa: E402
-
 # Blue and vermilion of Okabe and Ito: told apart by everybody, and by line style.
 STYLE = {"on": ("#0072B2", "o-"), "off": ("#D55E00", "s--")}
 
@@ -44,15 +42,14 @@ def curves(name, panels, x_label, log=False):
 
 
 def sheet_of_discs(name, packs, height):
-    """packs: (title, x, r) in rows of two; discs coloured by |psi_6|."""
+    """packs: (title, x, r, |psi_6|) in rows of two; discs coloured by that."""
     rows = (len(packs) + 1) // 2
     figure, axes = pyplot.subplots(rows, 2, figsize=(8, 2.2 * rows), layout="constrained",
                                    squeeze=False)
     drawn = None
-    for axis, (title, x, r) in zip(axes.flat, packs):
-        psi, _ = order.hexatic(x, *order.neighbours(x, r))
+    for axis, (title, x, r, order) in zip(axes.flat, packs):
         drawn = EllipseCollection(2 * r, 2 * r, numpy.zeros(len(r)), units="xy", offsets=x,
-                                  transOffset=axis.transData, array=numpy.abs(psi),
+                                  transOffset=axis.transData, array=order,
                                   cmap="viridis", edgecolors="none")
         drawn.set_clim(0, 1)
         axis.add_collection(drawn)

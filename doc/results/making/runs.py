@@ -14,6 +14,8 @@ import time
 
 import numpy
 
+from making import order
+
 
 class Run:
     """One pack: the command line without the files it writes."""
@@ -31,8 +33,9 @@ class Run:
 class Store:
     """Folder of finished runs, keyed by options and by the bytes of program and library."""
 
-    def __init__(self, program, work, rate):
+    def __init__(self, program, measure, work, rate):
         self.program = program
+        self.measure = measure  # packing-measure
         self.work = pathlib.Path(work)
         self.rate = rate  # particle-steps a second of one process, for estimates
         self.library = library_hash(program)
@@ -124,6 +127,10 @@ class Store:
         if "z" in column and not column["z"].any():
             axes.remove("z")
         return numpy.stack([column[name] for name in axes], axis=1), column["r"]
+
+    def order(self, run):
+        """Bond orders of each particle, columns by name."""
+        return order.of_each(self.measure, self.folder(run) / "pack.csv")
 
 
 def library_hash(program):

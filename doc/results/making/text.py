@@ -25,13 +25,15 @@ class Results:
     def measured(self, run):
         """Measures of order of a 2D pack."""
         if run.options not in self.kept:
-            self.kept[run.options] = order.discs(*self.store.pack(run), self.height_of(run))
+            self.kept[run.options] = order.discs(
+                *self.store.pack(run), self.height_of(run), self.store.order(run))
         return self.kept[run.options]
 
     def spheres(self, run, bins):
         key = run.options + (bins,)
         if key not in self.kept:
-            self.kept[key] = order.spheres(*self.store.pack(run), self.height_of(run), bins)
+            self.kept[key] = order.spheres(
+                *self.store.pack(run), self.height_of(run), bins, self.store.order(run))
         return self.kept[key]
 
     def note(self, name, values):
@@ -125,7 +127,8 @@ def sheet(results, example, groups):
         titles = [f"pack {k + 1}: {phi:.3f}" for k, phi in enumerate(results.densities(runs))]
         if paper.DIM[example] == 2:
             pictures.sheet_of_discs(results.image(name), [
-                (title, *results.store.pack(run)) for title, run in zip(titles, runs)],
+                (title, *results.store.pack(run), results.store.order(run)["psi6"])
+                for title, run in zip(titles, runs)],
                 results.height_of(runs[0]))
         else:
             pictures.sheet_of_images(results.image(name), [
@@ -271,14 +274,15 @@ def order_of_tables(results, groups):
                 cells.append(f"{stats.mean(values):.3f} ({number(stats.deviation(values), 3)})")
             solid.append([example, rotations, str(len(runs))] + cells)
     return (
-        "Neighbours are less than 1.2 (r_i + r_j) apart; only particles at least two mean "
+        "By `packing-measure --order 1.2 --order-list`: neighbours are at most 1.2 (r_i + r_j) "
+        "apart; only particles at least two mean "
         "diameters from walls and surface count. psi6 of a disc is the mean of exp(6 i theta) "
         "over its neighbours, 1 in the hexagonal lattice: the mean of its absolute value says "
         "how ordered the surroundings are, the absolute value of its mean whether one "
         "orientation prevails.\n\n" +
         table(["example", "rotations", "packs", "mean abs psi6 (sd)", "abs mean psi6 (sd)",
                "share with six neighbours (sd)"], flat) +
-        "\nq6 by the addition theorem (fcc 0.5745, hcp 0.4848); a sphere is fcc or hcp by its "
+        "\nq6 of a sphere (fcc 0.5745, hcp 0.4848); a sphere is fcc or hcp by its "
         "common-neighbour signatures (twelve 421; six 421 and six 422).\n\n" +
         table(["example", "rotations", "packs", "mean q6 (sd)", "share fcc (sd)",
                "share hcp (sd)"], solid))
