@@ -11,7 +11,7 @@
 #include "../common/report.h"
 #include "../common/stat.h"
 
-enum { COMPARE_MOST_SETS = 100, COMPARE_TESTS = 5 };
+enum { COMPARE_MOST_SETS = 100, COMPARE_TESTS = 6 };
 
 /* Tests, in the order of their names. */
 enum {
@@ -19,7 +19,8 @@ enum {
   TEST_MANN_WHITNEY = 2,
   TEST_KS = 4,
   TEST_ANOVA = 8,
-  TEST_DIXON = 16
+  TEST_DIXON = 16,
+  TEST_CURVES = 32
 };
 
 extern const char *const compare_test_names[COMPARE_TESTS];
@@ -72,6 +73,7 @@ typedef struct compare_pair {
   stat_welch welch;
   stat_mann_whitney mann_whitney;
   stat_ks ks;
+  packing_curve_errors_report curves; /* of b, where a was asked; NaN: not made */
 } compare_pair;
 
 typedef struct compare_job {

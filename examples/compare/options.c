@@ -7,7 +7,7 @@
 #include "compare.h"
 
 const char *const compare_test_names[COMPARE_TESTS] = {"welch", "mann-whitney", "ks",
-                                                       "anova", "dixon"};
+                                                       "anova", "dixon",        "curves"};
 
 enum {
   KEY_A = 0x500,
@@ -48,7 +48,10 @@ static const struct argp_option table[] = {
     {NULL, 0, NULL, 0, "What to do:", 2},
     {"test", KEY_TEST, "LIST", 0,
      "some of welch, mann-whitney, ks (each two sets), anova (all sets), dixon (each "
-     "set), parted by commas (default: all; none: none)",
+     "set), parted by commas (default: all of these; none: none); curves: each two sets "
+     "of "
+     "equal size are rising curves at the same points, the first asked and the second "
+     "got, and their errors are told",
      2},
     {"fit", KEY_FIT, "LIST", 0,
      "fit laws to each set, ranked by how well they fit: some of normal, lognormal, "
@@ -178,7 +181,8 @@ static int read_tests(compare_options *o, const char *text)
     const int k = find_test(words[i]);
     if (k < 0)
       code = program_fail(PROGRAM_BAD_INPUT,
-                          "--test: '%s' is not welch, mann-whitney, ks, anova or dixon",
+                          "--test: '%s' is not welch, mann-whitney, ks, anova, dixon or "
+                          "curves",
                           words[i]);
     else
       o->tests |= 1U << k;
@@ -315,7 +319,10 @@ const struct argp compare_argp = {
         "exact for at most 50 numbers each without ties), Kolmogorov-Smirnov (two sets, "
         "the largest distance of their curves; exact up to 1e7 pairs), one-way analysis "
         "of variance (all sets), Dixon's Q (is the number farthest off an outlier? 3 to "
-        "30 numbers). All p-values are two-sided. Sets known in figures only take part "
+        "30 numbers). Curves: MAE, MSE, RMAE and MRE, the means of |e|, e^2, |e| / asked "
+        "and e / "
+        "asked over the points, e = asked - got. All p-values are two-sided. Sets known "
+        "in figures only take part "
         "in "
         "Welch's test and the analysis of variance.\n\n"
         "Fits are of maximum likelihood. Their p is the share of samples drawn from the "

@@ -131,6 +131,11 @@ static void add_pair(cJSON *list, const compare_job *job, const compare_pair *p)
   report_add_real(ks, "d", p->ks.d);
   report_add_real(ks, "p", p->ks.p);
   report_add_text(ks, "method", method_of(p->ks.p, p->ks.exact, "asymptotic"));
+  cJSON *curves = report_add_object(entry, "curves");
+  report_add_real(curves, "mae", p->curves.mae);
+  report_add_real(curves, "mse", p->curves.mse);
+  report_add_real(curves, "rmae", p->curves.rmae);
+  report_add_real(curves, "mre", p->curves.mre);
 }
 
 cJSON *compare_report(const compare_job *job, const char *command)
@@ -173,14 +178,25 @@ static void print_set(FILE *to, const compare_set *s)
 
 static void print_pair(FILE *to, const compare_job *job, const compare_pair *p)
 {
+  const char *between = "";
   fprintf(to, "%s and %s:", job->sets[p->a].name, job->sets[p->b].name);
-  if (!isnan(p->welch.p))
+  if (!isnan(p->welch.p)) {
     fprintf(to, " Welch t %.3g, dof %.3g, p %.3g", p->welch.t, p->welch.dof, p->welch.p);
-  if (!isnan(p->mann_whitney.p))
-    fprintf(to, "; Mann-Whitney U %.6g, p %.3g", p->mann_whitney.u, p->mann_whitney.p);
-  if (!isnan(p->ks.p))
-    fprintf(to, "; KS %.3g, p %.3g%s", p->ks.d, p->ks.p,
+    between = ";";
+  }
+  if (!isnan(p->mann_whitney.p)) {
+    fprintf(to, "%s Mann-Whitney U %.6g, p %.3g", between, p->mann_whitney.u,
+            p->mann_whitney.p);
+    between = ";";
+  }
+  if (!isnan(p->ks.p)) {
+    fprintf(to, "%s KS %.3g, p %.3g%s", between, p->ks.d, p->ks.p,
             p->ks.exact ? "" : " (asymptotic)");
+    between = ";";
+  }
+  if (!isnan(p->curves.mae))
+    fprintf(to, "%s curves: MAE %.4g, MSE %.4g, RMAE %.4g %%, MRE %.4g %%", between,
+            p->curves.mae, p->curves.mse, 100 * p->curves.rmae, 100 * p->curves.mre);
   fputc('\n', to);
 }
 

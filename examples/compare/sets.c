@@ -83,12 +83,30 @@ int compare_gather(compare_job *job)
 
 /* ---- what is made of them ---- */
 
+/* Of sets of equal size, else NaN. They are sorted, as cumulative curves are anyway. */
+static packing_curve_errors_report compare_curves(const compare_set *asked,
+                                                  const compare_set *got)
+{
+  packing_curve_errors_report found;
+  packing_curve_errors_report_init(&found);
+  if (asked->count != got->count ||
+      packing_measure_curve_errors(NULL, asked->count, asked->values, got->values,
+                                   &found) != PACKING_OK)
+    found.mae = found.mse = found.rmae = found.mre = (double)NAN;
+  return found;
+}
+
 static compare_pair compare_two(const compare_job *job, size_t a, size_t b)
 {
   const double nan = (double)NAN;
   const compare_set *x = &job->sets[a], *y = &job->sets[b];
   const unsigned tests = job->asked->tests;
-  compare_pair p = {a, b, {nan, nan, nan}, {nan, nan, 0}, {nan, nan, 0}};
+  compare_pair p = {.a = a,
+                    .b = b,
+                    .welch = {nan, nan, nan},
+                    .mann_whitney = {nan, nan, 0},
+                    .ks = {nan, nan, 0},
+                    .curves = {.mae = nan, .mse = nan, .rmae = nan, .mre = nan}};
   if (tests & TEST_WELCH)
     p.welch = stat_welch_test(&x->figures, &y->figures);
   if (!x->values || !y->values)
@@ -97,6 +115,8 @@ static compare_pair compare_two(const compare_job *job, size_t a, size_t b)
     p.mann_whitney = stat_mann_whitney_test(x->values, x->count, y->values, y->count);
   if (tests & TEST_KS)
     p.ks = stat_ks_test(x->values, x->count, y->values, y->count);
+  if (tests & TEST_CURVES)
+    p.curves = compare_curves(x, y);
   return p;
 }
 
