@@ -7,16 +7,15 @@
 static packing_status audit_pack(report *r, const measured *m)
 {
   packing_audit_def def;
-  packing_audit_report audit;
   packing_audit_def_init(&def);
-  packing_audit_report_init(&audit);
+  packing_audit_report_init(&r->audit);
   def.limit = m->limit;
   const packing_status status =
-      packing_audit(m->context, &def, m->domain, m->view, &audit);
-  r->max_overlap = audit.max_overlap;
-  r->max_protrusion = m->domain ? audit.max_protrusion : (double)NAN;
+      packing_audit(m->context, &def, m->domain, m->view, &r->audit);
+  r->max_overlap = r->audit.max_overlap;
+  r->max_protrusion = m->domain ? r->audit.max_protrusion : (double)NAN;
   r->audit_limit = def.limit;
-  r->audit_passed = audit.passed;
+  r->audit_passed = r->audit.passed;
   return status;
 }
 

@@ -37,6 +37,7 @@ typedef struct report {
   report_fabric fabric;
   double max_overlap, max_protrusion, audit_limit;
   int audit_passed; /* 1, 0, or -1: not made */
+  packing_audit_report audit;
   double ks, ks_limit, ks_mass, mean_relative_error;
   size_t unplaced;
   const char *own_key; /* of what only this program reports; NULL: nothing */

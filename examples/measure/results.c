@@ -63,9 +63,26 @@ static cJSON *report_options(const measure_job *job)
   return all;
 }
 
+/* What of the audit does not stand in every program's report: who, and how many. */
+static void report_audit(cJSON *all, const packing_audit_report *found)
+{
+  cJSON *made = report_add_object(all, "audit");
+  report_add_real(made, "min_gap", found->min_gap);
+  report_add_count(made, "gap_i", found->gap_i);
+  report_add_count(made, "gap_j", found->gap_j);
+  report_add_count(made, "overlaps", found->overlaps);
+  report_add_count(made, "overlap_i", found->overlap_i);
+  report_add_count(made, "overlap_j", found->overlap_j);
+  report_add_count(made, "protrusions", found->protrusions);
+  report_add_count(made, "protrusion_i", found->protrusion_i);
+  report_add_count(made, "duplicates", found->duplicates);
+  report_add_count(made, "bad_numbers", found->bad_numbers);
+}
+
 static cJSON *report_own(const measure_job *job)
 {
   cJSON *all = report_new();
+  report_audit(all, &job->report.audit);
   contacts_report(job, all);
   report_add_item(all, "normals", normals_report(job));
   report_add_item(all, "order", order_report(job));

@@ -115,15 +115,26 @@ static void say_pores(const measure_job *job)
       r->min_constriction_r, r->max_constriction_r, r->mean_constriction_r);
 }
 
+static void say_audit(const report *r)
+{
+  const packing_audit_report *a = &r->audit;
+  say("audit", "%s: overlap %.3g, protrusion %.3g, limit %.3g",
+      r->audit_passed ? "passed" : "FAILED", r->max_overlap, r->max_protrusion,
+      r->audit_limit);
+  if (a->overlaps > 0)
+    say("", "%zu overlaps, the largest of particles %zu and %zu; %zu pairs at one place",
+        a->overlaps, a->overlap_i, a->overlap_j, a->duplicates);
+  if (a->protrusions > 0)
+    say("", "%zu stick out, particle %zu the farthest", a->protrusions, a->protrusion_i);
+}
+
 void measure_summary(const measure_job *job)
 {
   const report *r = &job->report;
   say_pack(job);
   say("container", "%s, %s %.6g", job->domain_text,
       job->spec.dim == 2 ? "area" : "volume", r->domain_volume);
-  say("audit", "%s: overlap %.3g, protrusion %.3g, limit %.3g",
-      r->audit_passed ? "passed" : "FAILED", r->max_overlap, r->max_protrusion,
-      r->audit_limit);
+  say_audit(r);
   say_void(r);
   say_contacts(job);
   say_fabric(&r->fabric);

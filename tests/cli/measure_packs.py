@@ -19,6 +19,8 @@ COMMON = ["program", "version", "command", "options", "input", "seed", "threads"
           "void_ratio", "volume_fraction_inner", "coordination", "fabric", "audit", "psd"]
 FABRIC = ["eigenvalues", "sd", "tensor", "contacts", "noise_floor"]
 MEASURES = {
+    "audit": ["min_gap", "gap_i", "gap_j", "overlaps", "overlap_i", "overlap_j", "protrusions",
+              "protrusion_i", "duplicates", "bad_numbers"],
     "contacts": ["pairs", "walls"],
     "classes": ["degree", "supported", "non_stable", "stable", "firm", "non_stable_share",
                 "stable_share", "firm_share"],
@@ -200,7 +202,16 @@ def unlike_audits_are_told(program):
     equal(report["audit"]["passed"], False, "passed")
     near(report["audit"]["max_overlap"], .2, 1e-12, "overlap")
     near(report["audit"]["max_protrusion"], .6, 1e-12, "protrusion")
-    holds("FAILED" in said, said)
+    holds("FAILED" in said and "1 overlaps, the largest of particles 0 and 1" in said, said)
+    holds("1 stick out, particle 2" in said, said)
+    found = report["measures"]["audit"]
+    near(found["min_gap"], -.2, 1e-12, "gap")
+    equal([found[k] for k in list(found)[1:]], [0, 1, 1, 0, 1, 1, 2, 0, 0], "audit")
+    report, _, _ = measured(program, table([(1, 1, 1, .5)] * 2 + [(2.5, 1, 1, .5)], "box:4,4,4"))
+    equal(report["measures"]["audit"]["duplicates"], 1, "duplicates")
+    report, _, _ = measured(program, table([(1, 1, 1, .5), (2.5, 1, 1, .5)], "box:4,4,4"))
+    near(report["measures"]["audit"]["min_gap"], 1, 1e-12, "gap")
+    equal(report["measures"]["audit"]["overlap_i"], None, "no overlap")
 
 
 def container_comes_from_where_it_is_told(program):
