@@ -140,6 +140,17 @@ static void limit_edge(const packing_i_pore_network *n, packing_i_pore_edge *e)
   }
 }
 
+/* Whether the way between two pores has no narrowest place in the face: its particles stand in
+ * line, or both pores are on one side of its plane. */
+static int is_beside(const packing_i_pore_network *n, const face *f,
+                     packing_i_tangency *t)
+{
+  if (!packing_i_tangency_set(t, n->dim, f->p, f->r) || !(t->height > n->def.tolerance))
+    return 1;
+  const double up = height_over(t, f->apex);
+  return height_over(t, f->end[0]) * up < 0 || height_over(t, f->end[1]) * up > 0;
+}
+
 static void fill_edge(const packing_i_pore_network *n, packing_i_pore_edge *e)
 {
   packing_i_tangency t;
@@ -148,22 +159,16 @@ static void fill_edge(const packing_i_pore_network *n, packing_i_pore_edge *e)
   face f = read_face(n, e);
   use_shared(n, e, &f);
   const double least = fmin(f.radius[0], f.radius[1]) * (1 + n->def.tolerance);
-  if (!packing_i_tangency_set(&t, n->dim, f.p, f.r) || !(t.height > n->def.tolerance)) {
+  const int beside = is_beside(n, &f, &t);
+  if (!beside && (packing_i_tangency_radii(&t, radii) == 0 ||
+                  radii[0] <= n->def.tolerance * smallest(f.r, n->dim))) {
+    e->radius = 0; /* particles that touch leave a gap of rounding errors */
+  } else if (beside || radii[0] > least) {
     set_open(e, &f);
   } else {
-    const double up = height_over(&t, f.apex);
-    if (height_over(&t, f.end[0]) * up < 0 || height_over(&t, f.end[1]) * up > 0) {
-      set_open(e, &f);
-    } else if (packing_i_tangency_radii(&t, radii) == 0 ||
-               radii[0] <= n->def.tolerance * smallest(f.r, n->dim)) {
-      e->radius = 0; /* particles that touch leave a gap of rounding errors */
-    } else if (radii[0] > least) {
-      set_open(e, &f);
-    } else {
-      e->radius = radii[0];
-      e->centre = packing_i_tangency_centre(&t, radii[0]);
-      limit_edge(n, e);
-    }
+    e->radius = radii[0];
+    e->centre = packing_i_tangency_centre(&t, radii[0]);
+    limit_edge(n, e);
   }
   e->centre = packing_i_pores_shifted(n, e->centre, -frame);
 }
