@@ -7,20 +7,20 @@ double atan2(double y, double x)
 {
   (void)y;
   (void)x;
-  return NAN;
+  return (double)NAN;
 }
 
 double pow(double x, double y)
 {
   (void)x;
   (void)y;
-  return NAN;
+  return (double)NAN;
 }
 
 double cbrt(double x)
 {
   (void)x;
-  return NAN;
+  return (double)NAN;
 }
 
 /* Two discs that touch in each of 36 directions, in the middles of the 36 sectors. */
