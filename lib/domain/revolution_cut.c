@@ -21,7 +21,8 @@ enum { MOST_HEIGHTS = PACKING_I_KNOTS + 2 + 4 * PACKING_I_WALLS, DEEPEST = 12 };
  * integrand changes fast at both ends, and the differences of the rules can be small by chance. */
 static const packing_i_depths lens_depths = {2, DEEPEST};
 
-/* What the integrand needs. */
+/* What the integrand needs. Heights count from the ball's centre, so that it loses no digits where the
+ * base is far. */
 typedef struct cut {
   const packing_i_revolution *body;
   double (*radius)(const packing_i_revolution *p, double h); /* of the body's slice */
@@ -30,14 +31,19 @@ typedef struct cut {
 
 static double slice_of_ball(const cut *c, double h)
 {
-  const double s = (c->r - (h - c->h)) * (c->r + (h - c->h));
+  const double s = (c->r - h) * (c->r + h);
   return s > 0 ? sqrt(s) : 0;
+}
+
+static double slice_of_body(const cut *c, double h)
+{
+  return c->radius(c->body, c->h + h);
 }
 
 static double lens_at(const void *arg, double h)
 {
   const cut *c = arg;
-  return packing_i_lens(2, slice_of_ball(c, h), c->radius(c->body, h), c->rho);
+  return packing_i_lens(2, slice_of_ball(c, h), slice_of_body(c, h), c->rho);
 }
 
 /* What the two discs of a height share. */
@@ -45,7 +51,7 @@ typedef enum share { NOTHING, DISC_OF_BALL, DISC_OF_BODY, LENS } share;
 
 static share share_at(const cut *c, double h)
 {
-  const double ball = slice_of_ball(c, h), body = c->radius(c->body, h);
+  const double ball = slice_of_ball(c, h), body = slice_of_body(c, h);
   if (c->rho >= ball + body)
     return NOTHING;
   if (c->rho > fabs(ball - body))
@@ -58,8 +64,7 @@ static double simpson(const cut *c, const double h[2], share s)
   double sum = 0;
   for (int i = 0; i < 3; i++) {
     const double at = i == 1 ? 0.5 * (h[0] + h[1]) : h[i / 2];
-    const double radius =
-        s == DISC_OF_BALL ? slice_of_ball(c, at) : c->radius(c->body, at);
+    const double radius = s == DISC_OF_BALL ? slice_of_ball(c, at) : slice_of_body(c, at);
     sum += (i == 1 ? 4 : 1) * radius * radius;
   }
   return PACKING_I_PI * (h[1] - h[0]) / 6 * sum;
@@ -104,7 +109,7 @@ static void add_touching(heights *list, const packing_i_wall *w, double rho, dou
   for (int side = -1; side <= 1; side += 2) {
     const double t = foot + side * chord;
     if (t > w->from && t < w->to)
-      add_height(list, -w->c * w->b + t * w->a);
+      add_height(list, side * chord * w->a - to_wall * w->b);
   }
 }
 
@@ -112,8 +117,8 @@ static void add_touching(heights *list, const packing_i_wall *w, double rho, dou
 static heights find_heights(const cut *c)
 {
   const packing_i_revolution *p = c->body;
-  const double low = fmax(p->knot[0], c->h - c->r);
-  const double high = fmin(p->knot[p->knots - 1], c->h + c->r);
+  const double low = fmax(p->knot[0] - c->h, -c->r);
+  const double high = fmin(p->knot[p->knots - 1] - c->h, c->r);
   heights list = {.count = 0};
   if (!(low < high))
     return list;
@@ -121,7 +126,7 @@ static heights find_heights(const cut *c)
   list.h[0] = low;
   list.h[1] = high;
   for (int i = 0; i < p->knots; i++)
-    add_height(&list, p->knot[i]);
+    add_height(&list, p->knot[i] - c->h);
   for (int i = 0; i < p->walls; i++) {
     add_touching(&list, &p->wall[i], c->rho, c->h, c->r);
     add_touching(&list, &p->wall[i], -c->rho, c->h, c->r);
