@@ -422,8 +422,9 @@ static inline void packing_section_image_report_init(packing_section_image_repor
  *  \param[out] report the whole
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (also too little room, or a
  *          plane that misses the container and no window given);
- *          PACKING_ERR_UNSUPPORTED (a domain of two dimensions); PACKING_ERR_NOMEM;
- *          PACKING_ERR_ABI. Linear in the particles and the pixels */
+ *          PACKING_ERR_UNSUPPORTED (a domain of two dimensions); PACKING_ERR_GEOMETRY (a custom
+ *          container answers NaN); PACKING_ERR_NOMEM; PACKING_ERR_ABI. Linear in the particles
+ *          and the pixels; every 16 rows look at all discs once more */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_measure_section_image(
     packing_context *context, const packing_section_def *section,
     const packing_section_image_def *def, packing_domain *domain,

@@ -8,10 +8,7 @@
 #include "cut_internal.h"
 #include <float.h>
 
-enum {
-  CALLS_FOR_PART = 1 << 21,
-  MOST_RADII = 1000 /* of a ball, in a cylinder with a closed form */
-};
+enum { CALLS_FOR_PART = 1 << 21 };
 
 static int is_planar(const packing_i_domain_body *body)
 {
@@ -140,7 +137,7 @@ static double free_part(const packing_i_cut_job *j, int in_box, int in_cell,
   *error = 64 * DBL_EPSILON * packing_i_ball_volume(j->dim, j->r);
   if (j->cell->kind == PACKING_I_CELL_BALL || j->dim == 2)
     return packing_i_lens(j->dim, j->r, radius, d);
-  if (radius < MOST_RADII * j->r)
+  if (radius < PACKING_I_CYLINDER_RADII * j->r)
     return packing_i_ball_cylinder(j->r, radius, d, error);
   return packing_i_cut_slices(j, error);
 }

@@ -65,7 +65,9 @@ double packing_i_lens(int dim, double p, double q, double d);
 double packing_i_cut_planes(int dim, double r, const double lo[3], const double hi[3],
                             double *error);
 
-/* What a ball and an endless cylinder share whose axis passes at distance d. */
+/* What a ball and an endless cylinder share whose axis passes at distance d; the error grows with
+ * radius / r, so with more than these of them slices do better. */
+enum { PACKING_I_CYLINDER_RADII = 1000 };
 double packing_i_ball_cylinder(double r, double radius, double d, double *error);
 
 /* A disc in the plane. */

@@ -299,6 +299,15 @@ static double largest_margin(const packing_i_pore_network *n)
   return need;
 }
 
+/* The third root from x^4 = s x, by square roots: those round alike everywhere. */
+static double third_root(double s)
+{
+  double x = 1;
+  for (int k = 0; k < 40; k++)
+    x = sqrt(sqrt(s * x));
+  return x;
+}
+
 /* Some spacings of the particles, to begin with; `most` is what no empty sphere needs. */
 static double first_margin(const packing_i_pore_network *n, double *most)
 {
@@ -312,7 +321,7 @@ static double first_margin(const packing_i_pore_network *n, double *most)
   }
   share /= (double)n->count;
   *most = 2 * edge * sqrt(diagonal) + 8 * n->r_max;
-  return 2 * n->r_max + 2 * edge * (n->dim == 3 ? cbrt(share) : sqrt(share));
+  return 2 * n->r_max + 2 * edge * (n->dim == 3 ? third_root(share) : sqrt(share));
 }
 
 static packing_status triangulate_once(packing_i_pore_network *n, double margin)

@@ -3,7 +3,8 @@
  * black for void (seed 001, equation 12, reconstructed). A pixel shows what lies at its centre,
  * so the ratio differs from the areal porosity (section.c) by about the length of the discs'
  * borders in pixels over the number of pixels, with random sign. Blocks of rows are drawn for
- * themselves. Linear in the particles, the pixels and the pixels of all discs. */
+ * themselves, each looking at all discs. Linear in the particles, the pixels, the pixels of all
+ * discs, and in the discs times the blocks. */
 #include "measure/section_internal.h"
 
 enum { ROWS_OF_BLOCK = 16 };

@@ -20,13 +20,17 @@ void packing_size_tests_def_fill(packing_size_tests_def *def, size_t size)
   packing_i_def_fill(def, size, &defaults, sizeof defaults);
 }
 
+/* As many as B^5 <= 32 N^2 allows, which no rounding of pow() decides. */
 static size_t choose_bins(size_t asked, size_t count)
 {
   if (asked > 0)
     return asked;
-  const double wanted = floor(2 * pow((double)count, 0.4));
-  const double most = fmin((double)count / LEAST_EXPECTED, PACKING_SIZE_TESTS_BINS);
-  return (size_t)fmax(fmin(wanted, most), 2);
+  const double n = (double)count, limit = 32 * n * n;
+  const double most = fmin(n / LEAST_EXPECTED, PACKING_SIZE_TESTS_BINS);
+  double bins = 2;
+  for (double b = 3; b <= most && b * b * b * b * b <= limit; b++)
+    bins = b;
+  return (size_t)bins;
 }
 
 /* Q(dof / 2, x / 2); where it is below 1e-290 by Chernoff's bound it is 0, as GSL would fail. */
