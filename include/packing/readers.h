@@ -104,7 +104,7 @@ static inline void packing_read_info_init(packing_read_info *info)
  *  | yade | rows for YADE's `ymport.text` | id, matId as type |
  *  | yade-pack | rows of YADE's `pack.SpherePack` | |
  *  | geo | ESyS-Particle | id, tag as type, bonds |
- *  | xyz | extended XYZ | id, type, velocity |
+ *  | xyz | extended XYZ | id, type, velocity, spin, orientation |
  *  | xyzd | packing-generation, rows of four doubles | |
  *
  *  Text formats are read through gzip too, where the library was built with zlib. Text is

@@ -168,9 +168,10 @@ static inline void packing_stl_def_init(packing_stl_def *def)
  *  \param def options, or NULL for the defaults
  *  \param domain a container of three dimensions, not custom
  *  \param stream where to
- *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (facets; binary: a number beyond
- *          single precision); PACKING_ERR_UNSUPPORTED (two dimensions, custom, or no wall at
- *          all); what the stream returns; PACKING_ERR_NOMEM; PACKING_ERR_ABI */
+ *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (facets; a container so far off that
+ *          its corners coincide; binary: a number beyond single precision);
+ *          PACKING_ERR_UNSUPPORTED (two dimensions, custom, or no wall at all); what the stream
+ *          returns; PACKING_ERR_NOMEM; PACKING_ERR_ABI */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_write_stl(packing_context *context, const packing_stl_def *def,
                   const packing_domain *domain, const packing_stream *stream);

@@ -48,6 +48,7 @@ typedef struct vtk {
   piece *pieces;
   size_t piece_count, piece_capacity;
   packing_i_read_vtk_values values[ROLES]; /* of one piece */
+  size_t appended[ROLES];                  /* bytes that all pieces so far took */
 } vtk;
 
 static packing_i_read *reading(const vtk *v)
@@ -356,13 +357,24 @@ static packing_status take_point(const vtk *v, const piece *p, size_t i)
   return packing_i_read_take(reading(v));
 }
 
+/* Pieces that told of the same bytes would make of a small file a pack of any size. */
+static packing_status take_array(vtk *v, const piece *p, role r)
+{
+  const packing_i_read_vtk_array *array = &p->arrays[r];
+  PACKING_I_TRY(packing_i_read_vtk_decode(&v->file, array, p->points, &v->values[r]));
+  v->appended[r] += v->values[r].appended;
+  return v->appended[r] <= v->file.appended_size
+             ? PACKING_OK
+             : packing_i_read_vtk_fail(&v->file, array->tag, PACKING_ERR_FORMAT,
+                                       "pieces share their appended data");
+}
+
 static packing_status take_points(vtk *v, const piece *p)
 {
   packing_status status = PACKING_OK;
   for (role r = POINTS; r < ROLES && status == PACKING_OK; r++)
     if (p->arrays[r].tag != NULL)
-      status =
-          packing_i_read_vtk_decode(&v->file, &p->arrays[r], p->points, &v->values[r]);
+      status = take_array(v, p, r);
   for (uint64_t i = 0; i < p->points && status == PACKING_OK; i++)
     status = take_point(v, p, (size_t)i);
   for (role r = POINTS; r < ROLES; r++) {

@@ -194,6 +194,16 @@ static void malformed_files_are_refused(void **state)
        "<DataArray Name=\"radius\" type=\"Int8\" format=\"binary\">====AgAAAAEC"
        "</DataArray>" POINTS CLOSE,
        "no base64"},
+      {OPEN PIECE RADII
+       "<DataArray Name=\"velocity\" type=\"Float32\" format=\"binary\" "
+       "NumberOfComponents=\"3\">GAAAAAAAwH8AAAAAAAAAAAAAAAAAAAAAAAAAAA=="
+       "</DataArray>" POINTS CLOSE,
+       "a velocity, spin or orientation is not finite"},
+      {OPEN PIECE RADII
+       "<DataArray Name=\"spin\" type=\"Float32\" format=\"binary\" "
+       "NumberOfComponents=\"3\">GAAAAAAAAAAAAAAAAACAfwAAAAAAAAAAAAAAAA=="
+       "</DataArray>" POINTS CLOSE,
+       "a velocity, spin or orientation is not finite"},
   };
   packing_context *c = *state;
   reading r = reading_begin(c, 3);
@@ -226,6 +236,29 @@ static void runs_of_base64(void **state)
     reading_is(&r, 1, 4, 5, -6, 2);
     reading_end(&r);
   }
+}
+
+/* However many pieces tell of one array, the file gives no more particles than it holds. */
+static void pieces_do_not_share_bytes(void **state)
+{
+#define TOLD                                                                             \
+  "<Piece NumberOfPoints=\"1\"><Points><DataArray type=\"UInt8\" format=\"appended\" "   \
+  "NumberOfComponents=\"3\" offset=\"0\"/></Points><PointData><DataArray "               \
+  "type=\"UInt8\" "                                                                      \
+  "Name=\"radius\" format=\"appended\" offset=\"12\"/></PointData></Piece>"
+#define BYTES                                                                            \
+  "</PolyData><AppendedData encoding=\"base64\">_AwAAAAECAw==AQAAAAE=</AppendedData>"    \
+  "</VTKFile>"
+  packing_context *c = *state;
+  reading r = reading_begin(c, 3);
+  assert_ok(read_text(&r, OPEN "<PolyData>" TOLD BYTES));
+  reading_is(&r, 0, 1, 2, 3, 1);
+  assert_fails(c, read_text(&r, OPEN "<PolyData>" TOLD TOLD BYTES), PACKING_ERR_FORMAT,
+               "pieces share their appended data");
+  assert_int_equal(packing_particles_count(r.particles), 0);
+  reading_end(&r);
+#undef TOLD
+#undef BYTES
 }
 
 #if PACKING_I_HAVE_ZLIB
@@ -338,6 +371,7 @@ int main(void)
     cmocka_unit_test(pieces_follow_each_other),
     cmocka_unit_test(malformed_files_are_refused),
     cmocka_unit_test(runs_of_base64),
+    cmocka_unit_test(pieces_do_not_share_bytes),
 #if PACKING_I_HAVE_ZLIB
     cmocka_unit_test(compressed_blocks),
 #endif
