@@ -43,6 +43,7 @@ typedef struct piece {
 typedef struct vtk {
   packing_i_read_vtk_file file;
   packing_i_xml xml;
+  int began; /* the root was met */
   unsigned char *data;
   size_t size, capacity;
   piece *pieces;
@@ -250,10 +251,12 @@ static packing_status start_element(vtk *v, int *ended)
 {
   const packing_i_xml *x = &v->xml;
   if (x->depth == 1) {
-    if (packing_i_xml_is(x, 0, "VTKFile"))
+    const int first = !v->began;
+    v->began = 1;
+    if (first && packing_i_xml_is(x, 0, "VTKFile"))
       return start_file(v);
     return packing_i_read_vtk_fail(&v->file, x->attributes.at, PACKING_ERR_FORMAT,
-                                   "no VTKFile");
+                                   first ? "no VTKFile" : "something else follows");
   }
   if (x->depth == 2 && packing_i_xml_is(x, 0, "AppendedData")) {
     *ended = 1;
@@ -275,17 +278,16 @@ static packing_status start_element(vtk *v, int *ended)
 static packing_status walk(vtk *v)
 {
   packing_i_xml_event event = PACKING_I_XML_START;
-  int ended = 0, began = 0;
+  int ended = 0;
   while (!ended) {
     PACKING_I_TRY(packing_i_xml_next(&v->xml, &event));
     if (event == PACKING_I_XML_START)
       PACKING_I_TRY(start_element(v, &ended));
-    began |= event == PACKING_I_XML_START;
     ended |= event == PACKING_I_XML_LAST;
   }
-  return began ? PACKING_OK
-               : packing_i_read_vtk_fail(&v->file, v->data, PACKING_ERR_FORMAT,
-                                         "no VTKFile");
+  return v->began ? PACKING_OK
+                  : packing_i_read_vtk_fail(&v->file, v->data, PACKING_ERR_FORMAT,
+                                            "no VTKFile");
 }
 
 /* The columns of a piece; all that are not empty must have the same. */

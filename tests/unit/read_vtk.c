@@ -97,6 +97,7 @@ static void malformed_files_are_refused(void **state)
       {"text", "no VTKFile"},
       {"<x/>", "no VTKFile"},
       {"<VTKFile/>", "no type"},
+      {"<VTKFile type=\"PolyData\"/>" OPEN, "something else follows"},
       {"<VTKFile type=\"PPolyData\"/>", "type: \"PPolyData\" is not read"},
       {"<VTKFile type=\"PolyData\" byte_order=\"Middle\"/>", "byte_order: \"Middle\""},
       {"<VTKFile type=\"PolyData\" header_type=\"UInt16\"/>", "header_type: \"UInt16\""},
