@@ -14,9 +14,8 @@ enum { KEY_IN = 0x300, KEY_FRAME, KEY_SORT, KEY_RADIUS, KEY_DIAMETER, KEY_DIM };
 static const struct argp_option table[] = {
     {"in", KEY_IN, "[FORMAT:]FILE", 0,
      "the pack to read. Formats: csv vtp vtu lammps liggghts dump yade yade-pack geo xyz "
-     "xyzd; without FORMAT by extension: .csv .vtp .vtu .data .dump .geo .xyz .xyzd, "
-     "each "
-     "also with .gz",
+     "xyzd; without FORMAT by extension: .csv .vtp .vtu .data .dump .geo .xyz .xyzd, and "
+     "but for .vtp .vtu .xyzd also with .gz",
      1},
     {"frame", KEY_FRAME, "N", 0,
      "which frame of a dump or xyz file, from 0 (default: last)", 1},

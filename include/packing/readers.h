@@ -137,7 +137,8 @@ PACKING_API const char *packing_read_format(size_t index);
  *  \return a constant string without a newline, NULL for an unknown name. Thread-safe. */
 PACKING_API const char *packing_read_format_about(const char *format);
 
-/** The format that the extension of a file name stands for; a `.gz` behind it is passed over.
+/** The format that the extension of a file name stands for; a `.gz` behind that of a text
+ *  format is passed over.
  *  \param path a file name
  *  \return a constant string, NULL where the extension is that of no format. Thread-safe. */
 PACKING_API const char *packing_read_format_of(const char *path);

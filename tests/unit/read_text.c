@@ -22,6 +22,8 @@ static void formats_by_name_and_extension(void **state)
       {"x.y.extxyz", "xyz"},
       {"x.xyz", "xyz"},
       {"x.xyzd", "xyzd"},
+      {"x.xyzd.gz", NULL},
+      {"x.vtp.gz", NULL},
       {"pack", NULL},
       {"pack.", NULL},
       {".csv", NULL},
