@@ -14,9 +14,8 @@ enum { KEY_IN = 0x300, KEY_FRAME, KEY_SORT, KEY_RADIUS, KEY_DIAMETER, KEY_DIM };
 static const struct argp_option table[] = {
     {"in", KEY_IN, "[FORMAT:]FILE", 0,
      "the pack to read. Formats: csv vtp vtu lammps liggghts dump yade yade-pack geo xyz "
-     "xyzd; without FORMAT by extension: .csv .vtp .vtu .data .dump .geo .xyz .xyzd, "
-     "each "
-     "also with .gz",
+     "xyzd; without FORMAT by extension: .csv .vtp .vtu .data .dump .geo .xyz .xyzd, and "
+     "but for .vtp .vtu .xyzd also with .gz",
      1},
     {"frame", KEY_FRAME, "N", 0,
      "which frame of a dump or xyz file, from 0 (default: last)", 1},
@@ -165,8 +164,9 @@ void input_report(cJSON *all, const input *in)
 /* The value of "# domain: VALUE" in the lines that begin a table. */
 static char *find_note(const char *head)
 {
-  static const char key[] = "# domain: ";
-  for (const char *line = head; *line == '#';) {
+  static const char mark[] = "\xEF\xBB\xBF", key[] = "# domain: ";
+  const size_t marked = strncmp(head, mark, sizeof mark - 1) == 0 ? sizeof mark - 1 : 0;
+  for (const char *line = head + marked; *line == '#';) {
     const char *end = strchr(line, '\n');
     if (!end)
       break;
@@ -234,8 +234,10 @@ int input_read(input *in, packing_context *context, input_files *files)
   packing_file_close(file);
   if (status != PACKING_OK || interrupted())
     return failed(in, context, status);
-  if (strcmp(in->format, "csv") == 0)
+  if (strcmp(in->format, "csv") == 0) {
     in->domain_note = find_note(t.head);
+    in->notes_hidden = strncmp(t.head, "\x1f\x8b", 2) == 0;
+  }
   return check_dim(in);
 }
 
@@ -267,11 +269,6 @@ static char *box_of_file(const input *in, int dim)
     program_remark("%s: its box is tilted and is no container here", in->path);
     return NULL;
   }
-  if (!in->info.has_periodic)
-    program_remark(
-        "%s: the file does not say whether its box is periodic; taken as walls "
-        "(--domain says otherwise)",
-        in->path);
   unsigned periodic = in->info.has_periodic ? in->info.periodic : 0;
   if (dim == 2)
     periodic &= PACKING_PERIODIC_X | PACKING_PERIODIC_Y;
@@ -285,9 +282,14 @@ int input_domain(const input *in, const char *asked, domain_spec *spec, char **t
           : in->domain_note ? program_copy(in->domain_note, strlen(in->domain_note))
                             : box_of_file(in, dim);
   domain_spec_none(dim, spec);
+  if (!*text && in->notes_hidden)
+    program_remark("%s: a container noted in a compressed table is not seen; --domain "
+                   "tells it",
+                   in->path);
   if (!*text)
     return 0;
-  const int code = domain_spec_parse(*text, spec);
+  const int code =
+      domain_spec_parse_as(asked ? "--domain" : "--in: its container", *text, spec);
   if (code)
     return code;
   if (spec->dim == 2 && in->info.dim == 3)
@@ -305,6 +307,7 @@ void input_tell_domain(const input *in, const char *asked, const char *text)
   const int unsure = !in->domain_note && !in->info.has_periodic;
   if (!asked && text)
     program_remark("the container is %s, as %s says%s", text, in->path,
-                   unsure ? "; whether it is periodic, it does not say: taken as walls"
+                   unsure ? "; whether it is periodic, it does not say: taken as walls "
+                            "(--domain says otherwise)"
                           : "");
 }

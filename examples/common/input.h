@@ -21,6 +21,7 @@ typedef struct input {
   packing_read_info info;
   size_t note;       /* which of the files it is */
   char *domain_note; /* what a table says of its container; NULL: nothing */
+  int notes_hidden;  /* 1: the table is compressed, so what it says was not seen */
 } input;
 
 void input_init(input *in);

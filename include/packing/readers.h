@@ -104,7 +104,7 @@ static inline void packing_read_info_init(packing_read_info *info)
  *  | yade | rows for YADE's `ymport.text` | id, matId as type |
  *  | yade-pack | rows of YADE's `pack.SpherePack` | |
  *  | geo | ESyS-Particle | id, tag as type, bonds |
- *  | xyz | extended XYZ | id, type, velocity |
+ *  | xyz | extended XYZ | id, type, velocity, spin, orientation |
  *  | xyzd | packing-generation, rows of four doubles | |
  *
  *  Text formats are read through gzip too, where the library was built with zlib. Text is
@@ -137,7 +137,8 @@ PACKING_API const char *packing_read_format(size_t index);
  *  \return a constant string without a newline, NULL for an unknown name. Thread-safe. */
 PACKING_API const char *packing_read_format_about(const char *format);
 
-/** The format that the extension of a file name stands for; a `.gz` behind it is passed over.
+/** The format that the extension of a file name stands for; a `.gz` behind that of a text
+ *  format is passed over.
  *  \param path a file name
  *  \return a constant string, NULL where the extension is that of no format. Thread-safe. */
 PACKING_API const char *packing_read_format_of(const char *path);

@@ -127,11 +127,11 @@ static inline void packing_write_def_init(packing_write_def *def)
  *  \param stream where to
  *  \return PACKING_OK; PACKING_ERR_INVALID (an unknown format, a field that makes no sense, a
  *          text with a newline, a bond of a particle that is not there or with itself);
- *          PACKING_ERR_RANGE (a centre outside the box, an empty box, ids or types that the
- *          format cannot hold, a particle too large for PFC's domain); PACKING_ERR_UNSUPPORTED
- *          (what the format cannot say truly; a custom container as mesh or wall; compression
- *          without zlib); what the stream returns; PACKING_ERR_NOMEM; PACKING_ERR_ABI. Linear in
- *          particles and bonds */
+ *          PACKING_ERR_RANGE (a number out of its range, also of the deck; a centre outside the box,
+ *          an empty box, ids or types that the format cannot hold, more bonds than 2^31 - 1, a
+ *          particle too large for PFC's domain); PACKING_ERR_UNSUPPORTED (what the format cannot
+ *          say truly; a custom container as mesh or wall; compression without zlib); what the
+ *          stream returns; PACKING_ERR_NOMEM; PACKING_ERR_ABI. Linear in particles and bonds */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_write_pack(
     packing_context *context, const packing_write_def *def, const char *format,
     const packing_view *view, const packing_stream *stream);
@@ -168,9 +168,10 @@ static inline void packing_stl_def_init(packing_stl_def *def)
  *  \param def options, or NULL for the defaults
  *  \param domain a container of three dimensions, not custom
  *  \param stream where to
- *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (facets; binary: a number beyond
- *          single precision); PACKING_ERR_UNSUPPORTED (two dimensions, custom, or no wall at
- *          all); what the stream returns; PACKING_ERR_NOMEM; PACKING_ERR_ABI */
+ *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (facets; a container so far off that
+ *          its corners coincide; binary: a number beyond single precision);
+ *          PACKING_ERR_UNSUPPORTED (two dimensions, custom, or no wall at all); what the stream
+ *          returns; PACKING_ERR_NOMEM; PACKING_ERR_ABI */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_write_stl(packing_context *context, const packing_stl_def *def,
                   const packing_domain *domain, const packing_stream *stream);

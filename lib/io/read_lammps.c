@@ -226,19 +226,23 @@ static packing_status read_atom(data *d, packing_i_words *words, int hybrid, int
   return packing_i_read_take(d->read);
 }
 
-/* Which columns there are, as the hint says; none: those of spheres. */
+/* Which columns there are, as the hint says; none: those of spheres. LAMMPS itself names the parts
+ * of no hybrid; where they are named, their order is that of the columns. */
 static packing_status read_hint(data *d, int *hybrid)
 {
   char quote[PACKING_I_QUOTE_SIZE];
   packing_i_words words = d->hint;
   const packing_i_words style = packing_i_words_take(&words);
   *hybrid = packing_i_word_is(style, "hybrid");
-  if (*hybrid || style.at == style.end || packing_i_word_is(style, "sphere") ||
-      packing_i_word_is(style, "granular"))
+  const int known =
+      *hybrid ? packing_i_words_ended(&words) || packing_i_words_are(words, "sphere bond")
+              : style.at == style.end || packing_i_word_is(style, "sphere") ||
+                    packing_i_word_is(style, "granular");
+  if (known)
     return PACKING_OK;
   return packing_i_read_fail(d->read, PACKING_ERR_FORMAT,
                              "atoms of style %s, not sphere or hybrid sphere bond",
-                             packing_i_quote(style.at, style.end, quote));
+                             packing_i_quote(style.at, d->hint.end, quote));
 }
 
 static packing_status read_atoms(data *d)

@@ -57,7 +57,8 @@ const char *packing_read_format_of(const char *path)
     return NULL;
   const char *slash = strrchr(path, '/'), *name = slash == NULL ? path : slash + 1;
   size_t length = strlen(name);
-  if (length > 3 && strcmp(name + length - 3, ".gz") == 0)
+  const int compressed = length > 3 && strcmp(name + length - 3, ".gz") == 0;
+  if (compressed)
     length -= 3;
   size_t dot = length;
   while (dot > 0 && name[dot - 1] != '.')
@@ -65,7 +66,8 @@ const char *packing_read_format_of(const char *path)
   if (dot < 2) /* no extension, or nothing before it */
     return NULL;
   for (size_t i = 0; i < READERS; i++)
-    if (is_listed(readers[i]->format.extensions, name + dot - 1, length - dot + 1))
+    if (is_listed(readers[i]->format.extensions, name + dot - 1, length - dot + 1) &&
+        !(compressed && readers[i]->what == PACKING_I_READS_BYTES))
       return readers[i]->format.name;
   return NULL;
 }

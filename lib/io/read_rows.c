@@ -32,9 +32,21 @@ packing_i_row *packing_i_read_row(packing_i_read *read)
   return row;
 }
 
+/* Text holds finite numbers only, binary parts any. */
+static int all_finite(const double *v, int count)
+{
+  int finite = 1;
+  for (int k = 0; k < count; k++)
+    finite &= isfinite(v[k]) != 0;
+  return finite;
+}
+
 packing_status packing_i_read_take(packing_i_read *read)
 {
   const packing_i_row *row = &read->rows[read->used];
+  if (!all_finite(row->v, 3) || !all_finite(row->w, 3) || !all_finite(row->q, 4))
+    return packing_i_read_fail(read, PACKING_ERR_FORMAT,
+                               "a velocity, spin or orientation is not finite");
   if (!isfinite(row->x) || !isfinite(row->y) || !isfinite(row->z))
     return packing_i_read_fail(read, PACKING_ERR_FORMAT,
                                "the centre (%g, %g, %g) is not finite", row->x, row->y,

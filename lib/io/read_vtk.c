@@ -43,11 +43,13 @@ typedef struct piece {
 typedef struct vtk {
   packing_i_read_vtk_file file;
   packing_i_xml xml;
+  int began; /* the root was met */
   unsigned char *data;
   size_t size, capacity;
   piece *pieces;
   size_t piece_count, piece_capacity;
   packing_i_read_vtk_values values[ROLES]; /* of one piece */
+  size_t appended[ROLES];                  /* bytes that all pieces so far took */
 } vtk;
 
 static packing_i_read *reading(const vtk *v)
@@ -249,10 +251,12 @@ static packing_status start_element(vtk *v, int *ended)
 {
   const packing_i_xml *x = &v->xml;
   if (x->depth == 1) {
-    if (packing_i_xml_is(x, 0, "VTKFile"))
+    const int first = !v->began;
+    v->began = 1;
+    if (first && packing_i_xml_is(x, 0, "VTKFile"))
       return start_file(v);
     return packing_i_read_vtk_fail(&v->file, x->attributes.at, PACKING_ERR_FORMAT,
-                                   "no VTKFile");
+                                   first ? "no VTKFile" : "something else follows");
   }
   if (x->depth == 2 && packing_i_xml_is(x, 0, "AppendedData")) {
     *ended = 1;
@@ -274,17 +278,16 @@ static packing_status start_element(vtk *v, int *ended)
 static packing_status walk(vtk *v)
 {
   packing_i_xml_event event = PACKING_I_XML_START;
-  int ended = 0, began = 0;
+  int ended = 0;
   while (!ended) {
     PACKING_I_TRY(packing_i_xml_next(&v->xml, &event));
     if (event == PACKING_I_XML_START)
       PACKING_I_TRY(start_element(v, &ended));
-    began |= event == PACKING_I_XML_START;
     ended |= event == PACKING_I_XML_LAST;
   }
-  return began ? PACKING_OK
-               : packing_i_read_vtk_fail(&v->file, v->data, PACKING_ERR_FORMAT,
-                                         "no VTKFile");
+  return v->began ? PACKING_OK
+                  : packing_i_read_vtk_fail(&v->file, v->data, PACKING_ERR_FORMAT,
+                                            "no VTKFile");
 }
 
 /* The columns of a piece; all that are not empty must have the same. */
@@ -356,13 +359,24 @@ static packing_status take_point(const vtk *v, const piece *p, size_t i)
   return packing_i_read_take(reading(v));
 }
 
+/* Pieces that told of the same bytes would make of a small file a pack of any size. */
+static packing_status take_array(vtk *v, const piece *p, role r)
+{
+  const packing_i_read_vtk_array *array = &p->arrays[r];
+  PACKING_I_TRY(packing_i_read_vtk_decode(&v->file, array, p->points, &v->values[r]));
+  v->appended[r] += v->values[r].appended;
+  return v->appended[r] <= v->file.appended_size
+             ? PACKING_OK
+             : packing_i_read_vtk_fail(&v->file, array->tag, PACKING_ERR_FORMAT,
+                                       "pieces share their appended data");
+}
+
 static packing_status take_points(vtk *v, const piece *p)
 {
   packing_status status = PACKING_OK;
   for (role r = POINTS; r < ROLES && status == PACKING_OK; r++)
     if (p->arrays[r].tag != NULL)
-      status =
-          packing_i_read_vtk_decode(&v->file, &p->arrays[r], p->points, &v->values[r]);
+      status = take_array(v, p, r);
   for (uint64_t i = 0; i < p->points && status == PACKING_OK; i++)
     status = take_point(v, p, (size_t)i);
   for (role r = POINTS; r < ROLES; r++) {

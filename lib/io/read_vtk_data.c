@@ -154,6 +154,7 @@ static packing_status take_plain(packing_i_read_vtk_source *s, uint64_t bytes,
                                    "the array ends too early");
   if (!s->base64) {
     values->bytes = s->at;
+    s->at += bytes;
     return PACKING_OK;
   }
   PACKING_I_TRY(hold(s->file, bytes, values));
@@ -243,9 +244,12 @@ packing_status packing_i_read_vtk_decode(const packing_i_read_vtk_file *file,
   } else {
     const uint64_t bytes = tuples * array->components * size;
     status = find_source(file, array, &source);
+    const unsigned char *start = source.at;
     if (status == PACKING_OK)
       status = file->compressed ? packing_i_read_vtk_inflate(&source, bytes, values)
                                 : take_plain(&source, bytes, values);
+    if (status == PACKING_OK && array->form == PACKING_I_READ_VTK_APPENDED)
+      values->appended = (size_t)(source.at - start);
   }
   if (status != PACKING_OK)
     packing_i_read_vtk_release(file, values);

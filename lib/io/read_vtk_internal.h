@@ -82,6 +82,7 @@ typedef struct packing_i_read_vtk_array {
 typedef struct packing_i_read_vtk_values {
   const unsigned char *bytes;
   unsigned char *held; /* to free, or NULL */
+  size_t appended;     /* how many appended bytes they took */
   packing_i_read_vtk_kind kind;
   int big_endian;
 } packing_i_read_vtk_values;

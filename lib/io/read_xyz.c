@@ -1,22 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Extended XYZ (github.com/libAtoms/extxyz), as ASE and OVITO write it: frames of a count, a
  * line of `key=value`, and rows whose columns Properties names. Taken are pos, radius or
- * diameter, id, type, velo; Lattice with a along x and b in the plane of x and y, Origin, pbc,
- * Time. Linear in the bytes, in constant memory. */
+ * diameter, id, type, velo, angular_velocity, orientation (a quaternion, its real part last);
+ * Lattice with a along x and b in the plane of x and y, Origin, pbc, Time. Linear in the bytes, in constant memory. */
 #include "read_internal.h"
 
 enum { MOST_PROPERTIES = 64 };
 
-typedef enum kind { OTHER, POS, RADIUS, DIAMETER, ID, TYPE, VELO, KINDS } kind;
+typedef enum kind {
+  OTHER,
+  POS,
+  RADIUS,
+  DIAMETER,
+  ID,
+  TYPE,
+  VELO,
+  SPIN,
+  TURN,
+  KINDS
+} kind;
 
 static const struct {
   const char *name;
   char letter; /* R: real, I: integer */
   int columns;
-} known[KINDS] = {[OTHER] = {"", '\0', 0},       [POS] = {"pos", 'R', 3},
-                  [RADIUS] = {"radius", 'R', 1}, [DIAMETER] = {"diameter", 'R', 1},
-                  [ID] = {"id", 'I', 1},         [TYPE] = {"type", 'I', 1},
-                  [VELO] = {"velo", 'R', 3}};
+} known[KINDS] = {[OTHER] = {"", '\0', 0},         [POS] = {"pos", 'R', 3},
+                  [RADIUS] = {"radius", 'R', 1},   [DIAMETER] = {"diameter", 'R', 1},
+                  [ID] = {"id", 'I', 1},           [TYPE] = {"type", 'I', 1},
+                  [VELO] = {"velo", 'R', 3},       [SPIN] = {"angular_velocity", 'R', 3},
+                  [TURN] = {"orientation", 'R', 4}};
 
 typedef struct frame {
   packing_i_read *read;
@@ -201,7 +213,9 @@ static packing_status understand(frame *f)
                                "Properties: no radius or diameter");
   f->store = (p >> ID & 1 ? PACKING_COLUMN_ID : 0U) |
              (p >> TYPE & 1 ? PACKING_COLUMN_TYPE : 0U) |
-             (p >> VELO & 1 ? PACKING_COLUMN_VELOCITY : 0U);
+             (p >> VELO & 1 ? PACKING_COLUMN_VELOCITY : 0U) |
+             (p >> SPIN & 1 ? PACKING_COLUMN_SPIN : 0U) |
+             (p >> TURN & 1 ? PACKING_COLUMN_ORIENTATION : 0U);
   if (f->number == 0 || f->read->def.frame >= 0)
     f->first_store = f->store;
   if (f->store != f->first_store)
@@ -222,11 +236,39 @@ static packing_status start_frame(frame *f, packing_i_words words)
   return understand(f);
 }
 
+/* Numbers of a property to where they belong. */
+static void place(const frame *f, kind k, const double *v, packing_i_row *row)
+{
+  switch (k) {
+  case POS:
+    row->x = v[0];
+    row->y = v[1];
+    row->z = v[2];
+    break;
+  case VELO:
+    memcpy(row->v, v, sizeof row->v);
+    break;
+  case SPIN:
+    memcpy(row->w, v, sizeof row->w);
+    break;
+  case TURN:
+    row->q[0] = v[3];
+    memcpy(&row->q[1], v, 3 * sizeof *v);
+    break;
+  case RADIUS:
+    row->r = v[0];
+    break;
+  default:
+    if (!(f->present >> RADIUS & 1))
+      row->r = v[0] / 2;
+  }
+}
+
 static packing_status read_cell(const frame *f, unsigned property, packing_i_words *words,
                                 packing_i_row *row)
 {
   const packing_i_read *r = f->read;
-  double v[3];
+  double v[4];
   const kind k = f->list[property].kind;
   if (k == ID)
     return packing_i_words_int(r, words, "id", INT64_MIN, INT64_MAX, &row->id);
@@ -234,17 +276,7 @@ static packing_status read_cell(const frame *f, unsigned property, packing_i_wor
     return packing_i_words_int32(r, words, "type", INT32_MIN, INT32_MAX, &row->type);
   PACKING_I_TRY(
       packing_i_words_doubles(r, words, known[k].name, (unsigned)known[k].columns, v));
-  if (k == POS) {
-    row->x = v[0];
-    row->y = v[1];
-    row->z = v[2];
-  } else if (k == VELO) {
-    memcpy(row->v, v, sizeof v);
-  } else if (k == RADIUS) {
-    row->r = v[0];
-  } else if (!(f->present >> RADIUS & 1)) {
-    row->r = v[0] / 2;
-  }
+  place(f, k, v, row);
   return PACKING_OK;
 }
 
@@ -306,6 +338,7 @@ static packing_status read_xyz(packing_i_read *read)
 
 const packing_i_reader packing_i_reader_xyz = {
     {"xyz", ".xyz .extxyz", "extended XYZ, github.com/libAtoms/extxyz; ASE, OVITO",
-     "centre, radius or diameter, id, type, velocity, cell, periodic directions, frames"},
+     "centre, radius or diameter, id, type, velocity, spin, orientation, cell, periodic "
+     "directions, time, frames"},
     PACKING_I_READS_LINES,
     read_xyz};

@@ -19,6 +19,11 @@ static const layout layouts[] = {
 
 enum { LAYOUTS = sizeof layouts / sizeof layouts[0] };
 
+static int has_rows(const packing_i_read *read)
+{
+  return packing_particles_count(read->particles) + read->used > 0;
+}
+
 static packing_status switch_layout(packing_i_read *read, packing_i_words words,
                                     const layout **now)
 {
@@ -32,13 +37,11 @@ static packing_status switch_layout(packing_i_read *read, packing_i_words words,
     return packing_i_read_fail(read, PACKING_ERR_FORMAT, "#format: %s is not known",
                                packing_i_quote(name.at, name.end, quote));
   /* YADE would leave out the ids of some particles */
-  if (packing_particles_count(read->particles) + read->used > 0 &&
-      (found->id != (*now)->id || found->material != (*now)->material))
+  if (has_rows(read) && (found->id != (*now)->id || found->material != (*now)->material))
     return packing_i_read_fail(read, PACKING_ERR_FORMAT,
                                "#format: %s behind rows with other columns", found->name);
   *now = found;
-  return packing_i_read_columns(read, (found->id ? PACKING_COLUMN_ID : 0U) |
-                                          (found->material ? PACKING_COLUMN_TYPE : 0U));
+  return PACKING_OK;
 }
 
 static packing_status read_ball(packing_i_read *read, packing_i_words *words,
@@ -54,6 +57,10 @@ static packing_status read_row(packing_i_read *read, packing_i_words *words,
                                const layout *now)
 {
   packing_i_row *row = packing_i_read_row(read);
+  if (!has_rows(read)) /* those of a #format that another follows are not wanted */
+    PACKING_I_TRY(
+        packing_i_read_columns(read, (now->id ? PACKING_COLUMN_ID : 0U) |
+                                         (now->material ? PACKING_COLUMN_TYPE : 0U)));
   if (now->id)
     PACKING_I_TRY(packing_i_words_int(read, words, "id", INT64_MIN, INT64_MAX, &row->id));
   PACKING_I_TRY(read_ball(read, words, row));

@@ -5,6 +5,7 @@
 #include "vec.h"
 #include "writers_internal.h"
 #include <float.h>
+#include <math.h>
 
 enum { HEADER = 80, DEFAULT_FACETS = 64 };
 
@@ -14,10 +15,11 @@ void packing_stl_def_fill(packing_stl_def *def, size_t size)
   packing_i_def_fill(def, size, &defaults, sizeof defaults);
 }
 
-/* Triangles, and those that single precision cannot tell from a line or a point. */
+/* Triangles, and whether there are some that single or double precision cannot tell from a line
+ * or a point. */
 typedef struct survey {
   uint32_t count;
-  int lost;
+  int lost, flat;
 } survey;
 
 static int is_single(packing_vec3 v)
@@ -31,14 +33,7 @@ static int same_single(packing_vec3 a, packing_vec3 b)
   return (float)a.x == (float)b.x && (float)a.y == (float)b.y && (float)a.z == (float)b.z;
 }
 
-static void look(void *user, const packing_vec3 corner[3])
-{
-  survey *s = user;
-  s->count++;
-  for (int i = 0; i < 3 && !s->lost; i++)
-    s->lost = !is_single(corner[i]) || same_single(corner[i], corner[(i + 1) % 3]);
-}
-
+/* Not a number where the triangle has no area. */
 static packing_vec3 normal_of(const packing_vec3 corner[3])
 {
   const packing_vec3 a = packing_i_sub(corner[1], corner[0]);
@@ -51,6 +46,15 @@ static packing_vec3 normal_of(const packing_vec3 corner[3])
       packing_i_vec(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
   const double norm = packing_i_norm(n);
   return packing_i_vec(n.x / norm, n.y / norm, n.z / norm);
+}
+
+static void look(void *user, const packing_vec3 corner[3])
+{
+  survey *s = user;
+  s->count++;
+  s->flat |= !isfinite(normal_of(corner).x);
+  for (int i = 0; i < 3 && !s->lost; i++)
+    s->lost = !is_single(corner[i]) || same_single(corner[i], corner[(i + 1) % 3]);
 }
 
 static void put_word(packing_i_writer *w, uint32_t v)
@@ -131,12 +135,15 @@ packing_status packing_write_stl(packing_context *context, const packing_stl_def
                                  const packing_stream *stream)
 {
   packing_stl_def d;
-  survey s = {0, 0};
+  survey s = {0, 0, 0};
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_stl, title, def, &d));
   PACKING_I_TRY(packing_i_check_switch(context, "ascii", d.ascii));
   PACKING_I_TRY(packing_i_check_line(context, "title", d.title));
   PACKING_I_TRY(packing_i_mesh_check(context, domain, d.facets));
   packing_i_mesh_visit(domain, d.facets, look, &s);
+  if (s.flat)
+    return packing_i_fail(context, PACKING_ERR_RANGE, "domain", PACKING_NO_INDEX,
+                          "too far off for its size, or too large: walls without area");
   if (!d.ascii && s.lost)
     return packing_i_fail(
         context, PACKING_ERR_RANGE, "domain", PACKING_NO_INDEX,

@@ -2,6 +2,7 @@
 """packing-convert: convert_packs.py CONVERT CLOUD. Formats there and back, and what changes on
 the way."""
 import csv
+import gzip
 import json
 import math
 import os
@@ -10,7 +11,7 @@ import signal
 import subprocess
 import sys
 import time
-from cli import DONE, INTERRUPTED, Folder, equal, holds, main
+from cli import DONE, INTERRUPTED, Folder, equal, holds, main, one_line
 
 CLOUD = os.path.abspath(sys.argv[2])
 
@@ -225,6 +226,25 @@ def discs_stay_flat(program):
     holds("z" in rows(text)[0], "z")
 
 
+def containers_are_found_or_missed_aloud(program):
+    table = "# domain: box:4,4,4\nx,y,z,r\n1,1,1,0.5\n"
+    _, text = converted(program, "\ufeff" + table)
+    holds(("domain", "box:4,4,4") in notes(text), "behind a byte order mark")
+    with Folder(program) as folder:
+        with gzip.open(os.path.join(folder.path, "p.csv.gz"), "wt") as file:
+            file.write(table)
+        one_line(folder.run("--in", "p.csv.gz", "--out", "q.csv"), "p.csv.gz", "--domain")
+        equal(folder.run("--in", "p.csv.gz", "--domain", "box:9,9,9", "--out", "q.csv").err,
+              "", "where --domain tells it")
+    data = ("pack\n1 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n%d 4 zlo zhi\n\n"
+            "Atoms # sphere\n\n1 1 1 1000 1 1 1\n")
+    with Folder(program) as folder:
+        folder.write("p.data", data % 0)
+        folder.write("flat.data", data % 4)
+        one_line(folder.run("--in", "p.data", "--out", "q.csv"), "p.data", "taken as walls")
+        one_line(folder.run("--in", "flat.data", "--out", "q.csv"), "--in", "its container: size.z")
+
+
 def pictures_need_no_container(program):
     for out in ("q.png", "q.svg"):
         report, text = converted(program, PACK, out=out)
@@ -294,6 +314,7 @@ main([(test.__name__.replace("_", " "), test) for test in (
     formats_there_and_back, every_format_is_written, decks_name_their_files,
     changes_apply_in_their_order, crops_keep_what_is_inside, boxes_repeat,
     repeated_lattices_stay_lattices, bonds_go_along, neighbours_are_bonded,
-    density_is_the_file_s_or_ours, discs_stay_flat, pictures_need_no_container,
+    density_is_the_file_s_or_ours, discs_stay_flat, containers_are_found_or_missed_aloud,
+    pictures_need_no_container,
     report_has_every_key, failed_audits_are_told_and_no_error,
     a_pack_of_packing_cloud_goes_round, stops_when_told, help_mentions_every_option)])

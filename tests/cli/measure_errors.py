@@ -51,7 +51,7 @@ TESTS = [
          ["--domain", "size"]),
     test("a flat container of a pack that is not", ["--in", "p.csv", "--domain", "rect:4,4"],
          ["--domain", "flat"]),
-    test("a note that is no container", ["--in", "q.csv"], ["--domain", "'heap'"],
+    test("a note that is no container", ["--in", "q.csv"], ["--in", "'heap'"],
          files=[("q.csv", "# domain: heap:1\n" + PACK[1])]),
     option("--dim", "4", words=["--dim"]),
     option("--dim", "2", words=["--dim", "p.csv"]),

@@ -76,7 +76,7 @@ static const kept formats[] = {
     {"vtu", 1, 1, 1, 0, 0},    {"vtu", 1, 1, 1, 0, 6},       {"lammps", 1, 1, 1, 0, 0},
     {"lammps", 1, 1, 1, 1, 0}, {"liggghts", 1, 1, 1, 0, 0},  {"dump", 1, 1, 1, 0, 0},
     {"yade", 0, 0, 0, 0, 0},   {"yade-pack", 0, 0, 0, 0, 0}, {"geo", 1, 1, 0, 1, 0},
-    {"xyz", 1, 0, 0, 0, 0},
+    {"xyz", 1, 1, 1, 0, 0},
 };
 
 static void assert_same(const kept *k, const pack *p, const reading *r, double scale)

@@ -22,6 +22,8 @@ static void formats_by_name_and_extension(void **state)
       {"x.y.extxyz", "xyz"},
       {"x.xyz", "xyz"},
       {"x.xyzd", "xyzd"},
+      {"x.xyzd.gz", NULL},
+      {"x.vtp.gz", NULL},
       {"pack", NULL},
       {"pack.", NULL},
       {".csv", NULL},
@@ -232,6 +234,23 @@ static void extended_xyz(void **state)
   reading_end(&r);
 }
 
+/* OVITO's names: spin, and a quaternion with its real part last. */
+static void turning_grains_of_xyz(void **state)
+{
+  static const char text[] = "1\nProperties=pos:R:3:radius:R:1:angular_velocity:R:3:"
+                             "orientation:R:4\n1 2 3 4 5 6 7 .5 -.5 .25 -.75\n";
+  reading r = reading_begin(*state, 3);
+  packing_view v;
+  assert_ok(reading_text(&r, "xyz", text));
+  packing_particles_view(r.particles, &v);
+  const packing_column *const columns[] = {&v.wx, &v.wy, &v.wz, &v.qw,
+                                           &v.qx, &v.qy, &v.qz};
+  const double want[] = {5, 6, 7, -.75, .5, -.5, .25};
+  for (int k = 0; k < 7; k++)
+    assert_true(reading_at(columns[k], 0) == want[k]);
+  reading_end(&r);
+}
+
 static void any_line_ends(void **state)
 {
   static const char *const texts[] = {
@@ -245,6 +264,18 @@ static void any_line_ends(void **state)
       reading_is(&r, 1, 5, 6, 7, 8);
       reading_end(&r);
     }
+}
+
+/* A store without the columns of a #format that no row has. */
+static void formats_without_rows(void **state)
+{
+  static const char text[] =
+      "#format id_x_y_z_r_matId\n#format x_y_z_r\n1 2 3 4\n#format x_y_z_r\n5 6 7 8\n";
+  reading r = reading_begin(*state, 3);
+  assert_ok(reading_text(&r, "yade", text));
+  assert_int_equal(r.info.particles, 2);
+  assert_int_equal(packing_particles_columns(r.particles), 0);
+  reading_end(&r);
 }
 
 static void nothing_is_a_pack(void **state)
@@ -354,7 +385,9 @@ int main(void)
     cmocka_unit_test(data_of_lammps),
     cmocka_unit_test(bonds_may_be_left_out),
     cmocka_unit_test(extended_xyz),
+    cmocka_unit_test(turning_grains_of_xyz),
     cmocka_unit_test(any_line_ends),
+    cmocka_unit_test(formats_without_rows),
     cmocka_unit_test(nothing_is_a_pack),
     cmocka_unit_test(a_table_without_z),
 #if PACKING_I_HAVE_ZLIB

@@ -88,122 +88,125 @@ static void pieces_follow_each_other(void **state)
   reading_end(&r);
 }
 
+static const struct {
+  const char *text, *says;
+} malformed[] = {
+    {"", "no VTKFile"},
+    {"text", "no VTKFile"},
+    {"<x/>", "no VTKFile"},
+    {"<VTKFile/>", "no type"},
+    {"<VTKFile type=\"PolyData\"/>" OPEN, "something else follows"},
+    {"<VTKFile type=\"PPolyData\"/>", "type: \"PPolyData\" is not read"},
+    {"<VTKFile type=\"PolyData\" byte_order=\"Middle\"/>", "byte_order: \"Middle\""},
+    {"<VTKFile type=\"PolyData\" header_type=\"UInt16\"/>", "header_type: \"UInt16\""},
+    {"<VTKFile type=\"PolyData\" compressor=\"vtkLZ4DataCompressor\"/>",
+     "compressor: \"vtkLZ4DataCompressor\" is not read"},
+    {"<VTKFile type=\"PolyData\"", "a malformed tag"},
+    {"<VTKFile type=\"PolyData\">", "the file ends too early"},
+    {"<VTKFile type=\"PolyData\"x=\"\">", "a malformed tag"},
+    {"<VTKFile type=PolyData>", "a malformed tag"},
+    {"<VTKFile type=\"PolyData>", "a malformed tag"},
+    {"<VTKFile type>", "a malformed tag"},
+    {"< >", "a malformed tag"},
+    {"</VTKFile>", "a malformed tag"},
+    {OPEN "</VTK>", "an end tag of another element"},
+    {"<!DOCTYPE x>", "neither element nor comment"},
+    {"<!-- ", "a comment without an end"},
+    {"<?xml", "a comment without an end"},
+    {OPEN "<a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a>", "too many elements"},
+    {OPEN "<PolyData><Piece NumberOfPoints=\"-1\">",
+     "NumberOfPoints: \"-1\" is no count"},
+    {OPEN "<PolyData><Piece NumberOfPoints=\"1.5\">", "\"1.5\" is no count"},
+    {OPEN PIECE "<DataArray Name=\"radius\">", "no type"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Bit\">", "type: \"Bit\" is not read"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" format=\"xml\">",
+     "format: \"xml\" is not read"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" NumberOfComponents=\"2\"><",
+     "radius: 2 components, not 1"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" NumberOfComponents=\"0\"><",
+     "radius: 0 components, not 1"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\">1 2", "without an end"},
+    {OPEN PIECE POINTS CLOSE, "no point data of radii or diameters"},
+    {OPEN PIECE RADII "</PointData>" CLOSE, "a piece without Points"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Float64\">1</DataArray>" POINTS CLOSE,
+     "the array ends too early"},
+    {OPEN PIECE
+     "<DataArray Name=\"radius\" type=\"Float64\">1    </DataArray>" POINTS CLOSE,
+     "the array ends too early"},
+    {OPEN PIECE
+     "<DataArray Name=\"radius\" type=\"Float64\">1 2 3</DataArray>" POINTS CLOSE,
+     "the array is longer than its piece asks for"},
+    {OPEN PIECE
+     "<DataArray Name=\"radius\" type=\"Float64\">1 nan</DataArray>" POINTS CLOSE,
+     "no number that fits"},
+    {OPEN PIECE
+     "<DataArray Name=\"radius\" type=\"Int32\">1 2.5</DataArray>" POINTS CLOSE,
+     "no number that fits"},
+    {OPEN PIECE
+     "<DataArray Name=\"radius\" type=\"Float64\">1 0</DataArray>" POINTS CLOSE,
+     "the radius 0 must be above 0"},
+    {OPEN PIECE RADII
+     "<DataArray Name=\"id\" type=\"Float64\">1 1.5</DataArray>" POINTS CLOSE,
+     "id: entry 1 is no whole number in range"},
+    {OPEN PIECE RADII
+     "<DataArray Name=\"type\" type=\"Int64\">1 2147483648</DataArray>" POINTS CLOSE,
+     "type: entry 1 is no whole number in range"},
+    {OPEN "<PolyData><Piece NumberOfPoints=\"4294967296\"><PointData>" RADII POINTS CLOSE,
+     "the array ends too early"},
+    {OPEN
+     "<PolyData><Piece NumberOfPoints=\"9223372036854775807\"><PointData>" RADII POINTS
+         CLOSE,
+     "the array ends too early"},
+    {OPEN PIECE
+     "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\"/>" POINTS CLOSE,
+     "no appended data at the offset"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\" "
+                "offset=\"7\"/>" POINTS "</Piece></PolyData><AppendedData "
+                "encoding=\"raw\">_123",
+     "no appended data at the offset"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\"/>" POINTS
+                "</Piece></PolyData><AppendedData encoding=\"raw\">_123",
+     "the array ends too early"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\"/>" POINTS
+                "</Piece></PolyData><AppendedData encoding=\"raw\">_1234567890",
+     "another length than its piece asks for"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\"/>" POINTS
+                "</Piece></PolyData><AppendedData encoding=\"raw\">_\x10",
+     "the array ends too early"},
+    {OPEN "<AppendedData encoding=\"raw\">x", "do not begin with _"},
+    {OPEN "<AppendedData>_", "no encoding"},
+    {OPEN "<AppendedData encoding=\"hex\">_", "encoding: \"hex\""},
+    {OPEN "<AppendedData encoding=\"base64\">_AAAA", "appended data without an end"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" format=\"binary\">AgAA*AEC"
+                "</DataArray>" POINTS CLOSE,
+     "no base64"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" format=\"binary\">AgAAAAE"
+                "</DataArray>" POINTS CLOSE,
+     "the array ends too early"},
+    {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" format=\"binary\">====AgAAAAEC"
+                "</DataArray>" POINTS CLOSE,
+     "no base64"},
+    {OPEN PIECE RADII "<DataArray Name=\"velocity\" type=\"Float32\" format=\"binary\" "
+                      "NumberOfComponents=\"3\">GAAAAAAAwH8AAAAAAAAAAAAAAAAAAAAAAAAAAA=="
+                      "</DataArray>" POINTS CLOSE,
+     "a velocity, spin or orientation is not finite"},
+    {OPEN PIECE RADII "<DataArray Name=\"spin\" type=\"Float32\" format=\"binary\" "
+                      "NumberOfComponents=\"3\">GAAAAAAAAAAAAAAAAACAfwAAAAAAAAAAAAAAAA=="
+                      "</DataArray>" POINTS CLOSE,
+     "a velocity, spin or orientation is not finite"},
+};
+
 static void malformed_files_are_refused(void **state)
 {
-  static const struct {
-    const char *text, *says;
-  } cases[] = {
-      {"", "no VTKFile"},
-      {"text", "no VTKFile"},
-      {"<x/>", "no VTKFile"},
-      {"<VTKFile/>", "no type"},
-      {"<VTKFile type=\"PPolyData\"/>", "type: \"PPolyData\" is not read"},
-      {"<VTKFile type=\"PolyData\" byte_order=\"Middle\"/>", "byte_order: \"Middle\""},
-      {"<VTKFile type=\"PolyData\" header_type=\"UInt16\"/>", "header_type: \"UInt16\""},
-      {"<VTKFile type=\"PolyData\" compressor=\"vtkLZ4DataCompressor\"/>",
-       "compressor: \"vtkLZ4DataCompressor\" is not read"},
-      {"<VTKFile type=\"PolyData\"", "a malformed tag"},
-      {"<VTKFile type=\"PolyData\">", "the file ends too early"},
-      {"<VTKFile type=\"PolyData\"x=\"\">", "a malformed tag"},
-      {"<VTKFile type=PolyData>", "a malformed tag"},
-      {"<VTKFile type=\"PolyData>", "a malformed tag"},
-      {"<VTKFile type>", "a malformed tag"},
-      {"< >", "a malformed tag"},
-      {"</VTKFile>", "a malformed tag"},
-      {OPEN "</VTK>", "an end tag of another element"},
-      {"<!DOCTYPE x>", "neither element nor comment"},
-      {"<!-- ", "a comment without an end"},
-      {"<?xml", "a comment without an end"},
-      {OPEN "<a><a><a><a><a><a><a><a><a><a><a><a><a><a><a><a>", "too many elements"},
-      {OPEN "<PolyData><Piece NumberOfPoints=\"-1\">",
-       "NumberOfPoints: \"-1\" is no count"},
-      {OPEN "<PolyData><Piece NumberOfPoints=\"1.5\">", "\"1.5\" is no count"},
-      {OPEN PIECE "<DataArray Name=\"radius\">", "no type"},
-      {OPEN PIECE "<DataArray Name=\"radius\" type=\"Bit\">",
-       "type: \"Bit\" is not read"},
-      {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" format=\"xml\">",
-       "format: \"xml\" is not read"},
-      {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" NumberOfComponents=\"2\"><",
-       "radius: 2 components, not 1"},
-      {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" NumberOfComponents=\"0\"><",
-       "radius: 0 components, not 1"},
-      {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\">1 2", "without an end"},
-      {OPEN PIECE POINTS CLOSE, "no point data of radii or diameters"},
-      {OPEN PIECE RADII "</PointData>" CLOSE, "a piece without Points"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Float64\">1</DataArray>" POINTS CLOSE,
-       "the array ends too early"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Float64\">1    </DataArray>" POINTS CLOSE,
-       "the array ends too early"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Float64\">1 2 3</DataArray>" POINTS CLOSE,
-       "the array is longer than its piece asks for"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Float64\">1 nan</DataArray>" POINTS CLOSE,
-       "no number that fits"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Int32\">1 2.5</DataArray>" POINTS CLOSE,
-       "no number that fits"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Float64\">1 0</DataArray>" POINTS CLOSE,
-       "the radius 0 must be above 0"},
-      {OPEN PIECE RADII
-       "<DataArray Name=\"id\" type=\"Float64\">1 1.5</DataArray>" POINTS CLOSE,
-       "id: entry 1 is no whole number in range"},
-      {OPEN PIECE RADII
-       "<DataArray Name=\"type\" type=\"Int64\">1 2147483648</DataArray>" POINTS CLOSE,
-       "type: entry 1 is no whole number in range"},
-      {OPEN
-       "<PolyData><Piece NumberOfPoints=\"4294967296\"><PointData>" RADII POINTS CLOSE,
-       "the array ends too early"},
-      {OPEN
-       "<PolyData><Piece NumberOfPoints=\"9223372036854775807\"><PointData>" RADII POINTS
-           CLOSE,
-       "the array ends too early"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\"/>" POINTS CLOSE,
-       "no appended data at the offset"},
-      {OPEN PIECE "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\" "
-                  "offset=\"7\"/>" POINTS "</Piece></PolyData><AppendedData "
-                  "encoding=\"raw\">_123",
-       "no appended data at the offset"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\"/>" POINTS
-       "</Piece></PolyData><AppendedData encoding=\"raw\">_123",
-       "the array ends too early"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\"/>" POINTS
-       "</Piece></PolyData><AppendedData encoding=\"raw\">_1234567890",
-       "another length than its piece asks for"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Float64\" format=\"appended\"/>" POINTS
-       "</Piece></PolyData><AppendedData encoding=\"raw\">_\x10",
-       "the array ends too early"},
-      {OPEN "<AppendedData encoding=\"raw\">x", "do not begin with _"},
-      {OPEN "<AppendedData>_", "no encoding"},
-      {OPEN "<AppendedData encoding=\"hex\">_", "encoding: \"hex\""},
-      {OPEN "<AppendedData encoding=\"base64\">_AAAA", "appended data without an end"},
-      {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" format=\"binary\">AgAA*AEC"
-                  "</DataArray>" POINTS CLOSE,
-       "no base64"},
-      {OPEN PIECE "<DataArray Name=\"radius\" type=\"Int8\" format=\"binary\">AgAAAAE"
-                  "</DataArray>" POINTS CLOSE,
-       "the array ends too early"},
-      {OPEN PIECE
-       "<DataArray Name=\"radius\" type=\"Int8\" format=\"binary\">====AgAAAAEC"
-       "</DataArray>" POINTS CLOSE,
-       "no base64"},
-  };
   packing_context *c = *state;
   reading r = reading_begin(c, 3);
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-    const packing_status status = read_text(&r, cases[i].text);
+  for (size_t i = 0; i < sizeof malformed / sizeof malformed[0]; i++) {
+    const packing_status status = read_text(&r, malformed[i].text);
     const char *message = packing_context_message(c);
     if (status != PACKING_ERR_FORMAT || strncmp(message, "byte ", 5) != 0 ||
-        strstr(message, cases[i].says) == NULL)
+        strstr(message, malformed[i].says) == NULL)
       fail_msg("case %zu: %s, \"%s\", not \"%s\"", i, packing_status_string(status),
-               message, cases[i].says);
+               message, malformed[i].says);
     assert_int_equal(packing_particles_count(r.particles), 0);
   }
   reading_end(&r);
@@ -226,6 +229,29 @@ static void runs_of_base64(void **state)
     reading_is(&r, 1, 4, 5, -6, 2);
     reading_end(&r);
   }
+}
+
+/* However many pieces tell of one array, the file gives no more particles than it holds. */
+static void pieces_do_not_share_bytes(void **state)
+{
+#define TOLD                                                                             \
+  "<Piece NumberOfPoints=\"1\"><Points><DataArray type=\"UInt8\" format=\"appended\" "   \
+  "NumberOfComponents=\"3\" offset=\"0\"/></Points><PointData><DataArray "               \
+  "type=\"UInt8\" "                                                                      \
+  "Name=\"radius\" format=\"appended\" offset=\"12\"/></PointData></Piece>"
+#define BYTES                                                                            \
+  "</PolyData><AppendedData encoding=\"base64\">_AwAAAAECAw==AQAAAAE=</AppendedData>"    \
+  "</VTKFile>"
+  packing_context *c = *state;
+  reading r = reading_begin(c, 3);
+  assert_ok(read_text(&r, OPEN "<PolyData>" TOLD BYTES));
+  reading_is(&r, 0, 1, 2, 3, 1);
+  assert_fails(c, read_text(&r, OPEN "<PolyData>" TOLD TOLD BYTES), PACKING_ERR_FORMAT,
+               "pieces share their appended data");
+  assert_int_equal(packing_particles_count(r.particles), 0);
+  reading_end(&r);
+#undef TOLD
+#undef BYTES
 }
 
 #if PACKING_I_HAVE_ZLIB
@@ -338,6 +364,7 @@ int main(void)
     cmocka_unit_test(pieces_follow_each_other),
     cmocka_unit_test(malformed_files_are_refused),
     cmocka_unit_test(runs_of_base64),
+    cmocka_unit_test(pieces_do_not_share_bytes),
 #if PACKING_I_HAVE_ZLIB
     cmocka_unit_test(compressed_blocks),
 #endif

@@ -253,12 +253,17 @@ static void stl(void **state)
   (void)state;
   packing_domain *box = test_box(1, 1, 1, 0), *large = test_box(1e39, 1e39, 1e39, 0);
   packing_domain_box_def far_def;
-  packing_domain *far_off = NULL;
+  packing_domain_cylinder_def lost_def;
+  packing_domain *far_off = NULL, *lost = NULL;
   packing_stl_def stl_def;
   packing_domain_box_def_init(&far_def);
   far_def.size.x = far_def.size.y = far_def.size.z = 1;
   far_def.corner.x = 1e9;
   assert_ok(packing_domain_create_box(NULL, &far_def, &far_off));
+  packing_domain_cylinder_def_init(&lost_def);
+  lost_def.radius = lost_def.height = 1;
+  lost_def.base.x = 4e15;
+  assert_ok(packing_domain_create_cylinder(NULL, &lost_def, &lost));
   packing_stl_def_init(&stl_def);
   assert_ok(attempt_stl(NULL, box));
   assert_fails(context, attempt_stl(NULL, NULL), PACKING_ERR_INVALID, "domain");
@@ -267,6 +272,7 @@ static void stl(void **state)
   stl_def.ascii = 1;
   assert_ok(attempt_stl(&stl_def, large));
   assert_ok(attempt_stl(&stl_def, far_off));
+  assert_fails(context, attempt_stl(&stl_def, lost), PACKING_ERR_RANGE, "domain");
   stl_def.ascii = 2;
   assert_fails(context, attempt_stl(&stl_def, box), PACKING_ERR_RANGE, "ascii");
   packing_stl_def_init(&stl_def);
@@ -282,6 +288,7 @@ static void stl(void **state)
   packing_domain_destroy(box);
   packing_domain_destroy(large);
   packing_domain_destroy(far_off);
+  packing_domain_destroy(lost);
 }
 
 static void collections(void **state)
