@@ -25,7 +25,8 @@ typedef struct packing_contacts_def {
          they are at most tolerance * r + gap apart [1]; default 1e-9 */
   double gap;         /**< see `tolerance`; for bonds [L]; default 0 */
   int walls;          /**< 1 (default): contacts with walls are found too; 0: not */
-  int dim;            /**< 2 or 3; 0 (default): that of the container, 3 without one */
+  int dim; /**< 2 or 3; 0 (default): that of the container, 3 without one. 2 without
+         one: z is ignored */
 } packing_contacts_def;
 
 /** Writes the defaults; called through packing_contacts_def_init().

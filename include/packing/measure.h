@@ -142,7 +142,8 @@ typedef struct packing_coordination_def {
   size_t struct_size; /**< set by packing_coordination_def_init() */
   double
       tolerance; /**< a contact is a gap up to tolerance * (r_i + r_j) [1]; default 1e-9 */
-  int dim;       /**< 3 (default) or 2: a rattler has fewer than dim + 1 contacts */
+  int dim; /**< 3 (default) or 2: a rattler has fewer than dim + 1 contacts; 2 without a
+       container: z is ignored */
 } packing_coordination_def;
 
 /** Writes the defaults; called through packing_coordination_def_init().

@@ -26,12 +26,12 @@ packing_bonds_create(packing_context *context, packing_bonds **bonds);
 PACKING_API void packing_bonds_destroy(packing_bonds *bonds);
 
 /** The number of bonds.
- *  \param bonds the list
+ *  \param bonds the list; NULL has none
  *  \return count */
 PACKING_API size_t packing_bonds_count(const packing_bonds *bonds);
 
 /** The bonds, in the order of the file; `i` and `j` are indices in the store read with them.
- *  \param bonds the list
+ *  \param bonds the list; NULL has none
  *  \return packing_bonds_count() bonds, valid until the list is next read into or destroyed;
  *          NULL where there are none */
 PACKING_API const packing_bond *packing_bonds_data(const packing_bonds *bonds);

@@ -25,12 +25,12 @@ void packing_bonds_destroy(packing_bonds *bonds)
 
 size_t packing_bonds_count(const packing_bonds *bonds)
 {
-  return bonds->count;
+  return bonds == NULL ? 0 : bonds->count;
 }
 
 const packing_bond *packing_bonds_data(const packing_bonds *bonds)
 {
-  return bonds->count == 0 ? NULL : bonds->list;
+  return packing_bonds_count(bonds) == 0 ? NULL : bonds->list;
 }
 
 packing_status packing_i_bonds_add(packing_bonds *bonds, const packing_bond *bond)

@@ -146,14 +146,17 @@ static packing_status check_def(packing_context *context, const packing_contacts
   return PACKING_OK;
 }
 
-static packing_status check_view(packing_context *context, const packing_view *view)
+/* Today's copy of the view, without z where the pack is flat by the caller's word alone. */
+static packing_status read_view(packing_context *context, const packing_view *view,
+                                int flat, packing_view *copy)
 {
-  packing_view v;
-  PACKING_I_TRY(packing_i_measure_view(context, view, &v));
-  if (v.count > UINT32_MAX)
+  PACKING_I_TRY(packing_i_measure_view(context, view, copy));
+  if (copy->count > UINT32_MAX)
     return packing_i_fail(context, PACKING_ERR_RANGE, "view", PACKING_NO_INDEX,
-                          "%zu particles, at most %lu can be linked", v.count,
+                          "%zu particles, at most %lu can be linked", copy->count,
                           (unsigned long)UINT32_MAX);
+  if (flat)
+    copy->z.data = NULL;
   return PACKING_OK;
 }
 
@@ -163,9 +166,10 @@ packing_status packing_contacts_create(packing_context *context,
                                        packing_contacts **contacts)
 {
   packing_contacts_def d;
+  packing_view v;
   PACKING_I_TRY(PACKING_I_DEF_READ(context, packing_contacts, dim, def, &d));
   PACKING_I_TRY(check_def(context, &d));
-  PACKING_I_TRY(check_view(context, view));
+  PACKING_I_TRY(read_view(context, view, domain == NULL && d.dim == 2, &v));
   PACKING_I_TRY(packing_i_check_given(context, "contacts", contacts));
   const packing_allocator *allocator = packing_i_allocator(context);
   packing_contacts *c = packing_i_calloc(allocator, 1, sizeof *c);
@@ -178,7 +182,7 @@ packing_status packing_contacts_create(packing_context *context,
   c->dim = d.dim != 0 ? d.dim : domain != NULL ? packing_domain_dim(domain) : 3;
   c->domain = domain == NULL ? NULL : packing_domain_retain(domain);
   packing_status status = packing_i_images_create(
-      context, domain, view, (1 + d.tolerance) * ROUNDING, d.gap * ROUNDING, &c->images);
+      context, domain, &v, (1 + d.tolerance) * ROUNDING, d.gap * ROUNDING, &c->images);
   if (status == PACKING_OK) {
     c->grid = packing_i_images_grid(c->images);
     status = find_pairs(c);

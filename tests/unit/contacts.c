@@ -343,6 +343,27 @@ static void an_empty_pack_has_no_contacts(void **state)
   packing_domain_destroy(box);
 }
 
+static void flat_packs_without_a_container_have_no_z(void **state)
+{
+  (void)state;
+  pack *p = new_pack();
+  packing_contacts *c = NULL;
+  packing_contacts_def def;
+  packing_contact list[MOST];
+  add(p, 0, 0, 7, 1);
+  add(p, 2, 0, -5, 1);
+  packing_contacts_def_init(&def);
+  assert_ok(packing_contacts_create(NULL, &def, NULL, &p->view, &c));
+  assert_int_equal(list_all(c, list), 0);
+  packing_contacts_destroy(c);
+  def.dim = 2;
+  assert_ok(packing_contacts_create(NULL, &def, NULL, &p->view, &c));
+  assert_int_equal(list_all(c, list), 1);
+  assert_normal(&list[0], 1, 0, 0);
+  packing_contacts_destroy(c);
+  free(p);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -355,6 +376,7 @@ int main(void)
       cmocka_unit_test(two_centres_in_one_have_no_normal),
       cmocka_unit_test(coordination_is_that_of_measure),
       cmocka_unit_test(a_network_stands_alone),
+      cmocka_unit_test(flat_packs_without_a_container_have_no_z),
       cmocka_unit_test(an_empty_pack_has_no_contacts),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -386,6 +386,8 @@ static void arguments(void **state)
                PACKING_ERR_RANGE, "particles");
   assert_fails(c, packing_bonds_create(c, NULL), PACKING_ERR_INVALID, "bonds");
   packing_bonds_destroy(NULL);
+  assert_int_equal(packing_bonds_count(NULL), 0);
+  assert_null(packing_bonds_data(NULL));
   test_buffer_free(&buffer);
   reading_end(&r);
 }
