@@ -186,6 +186,11 @@ int profiles_measure(measure_job *job);
 void profiles_report(const measure_job *job, cJSON *list);
 int sections_measure(measure_job *job);
 void sections_report(const measure_job *job, cJSON *list);
+
+/* "z = 7: void 0.4780", for people; returns `text`. */
+enum { SECTION_TEXT = 120 };
+const char *section_say(char text[SECTION_TEXT], packing_axis axis,
+                        const plane_found *plane);
 int map_measure(measure_job *job);
 cJSON *map_report(const measure_job *job);
 int pores_measure(measure_job *job);

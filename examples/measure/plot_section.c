@@ -83,16 +83,14 @@ static void paint(canvas *sheet, const plane_found *plane, double x, double y)
 
 static void draw_tile(canvas *sheet, const layout *l, size_t k)
 {
-  char text[120];
+  char text[SECTION_TEXT];
   const tile *t = &l->tiles[k];
   const double x = MARGIN + (double)(k % l->columns) * (l->width + GAP);
   const double y = top_of(l, k);
   paint(sheet, t->plane, x, y);
-  snprintf(text, sizeof text, "%s = %.6g: void %.4f", axis_name(t->axis),
-           t->plane->height, t->plane->report.porosity);
   cairo_set_source_rgb(sheet->cr, 0.2, 0.2, 0.2);
   canvas_text_fit(sheet, x, y + (double)t->plane->image.rows + 24, 17,
-                  (double)t->plane->image.columns, text);
+                  (double)t->plane->image.columns, section_say(text, t->axis, t->plane));
 }
 
 packing_status plot_section(const pack *p, const packing_stream *stream)

@@ -2,6 +2,7 @@
 /* Planar sections: areal porosity (the binary occupation ratio, black being void), the same of
  * the image, and the image. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include "../common/moments.h"
 #include "../common/program.h"
@@ -13,6 +14,20 @@ enum { LARGE = 900, SMALL = 450 };
 static double along(const packing_vec3 *v, packing_axis axis)
 {
   return axis == PACKING_AXIS_X ? v->x : axis == PACKING_AXIS_Y ? v->y : v->z;
+}
+
+const char *section_say(char text[SECTION_TEXT], packing_axis axis,
+                        const plane_found *plane)
+{
+  const double porosity = plane->report.porosity;
+  const int length =
+      snprintf(text, SECTION_TEXT, "%s = %.6g: ", axis_name(axis), plane->height);
+  char *rest = text + length;
+  if (isfinite(porosity))
+    snprintf(rest, SECTION_TEXT - (size_t)length, "void %.4f", porosity);
+  else
+    snprintf(rest, SECTION_TEXT - (size_t)length, "outside of the container");
+  return text;
 }
 
 /* Where plane k of a section lies. */

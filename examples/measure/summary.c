@@ -73,7 +73,9 @@ static void say_order(const measure_job *job)
   const order_found *o = &job->order;
   if (!o->made)
     return;
-  if (job->spec.dim == 2)
+  if (!isfinite(job->spec.dim == 2 ? o->hexatic.mean : o->q6.whole))
+    say("order", "no neighbours");
+  else if (job->spec.dim == 2)
     say("order", "psi_6 mean %.4f, global %.4f; %.1f %% with six neighbours",
         o->hexatic.mean, o->hexatic.whole, 100 * o->hexatic.share);
   else
@@ -97,11 +99,21 @@ static void say_sections(const measure_job *job)
 {
   for (size_t i = 0; job->sections && i < job->asked->section_count; i++) {
     const section_found *s = &job->sections[i];
-    for (size_t k = 0; k < s->count; k++)
-      say(k == 0 ? "sections" : "", "%s = %.6g: void %.4f",
-          axis_name(job->asked->sections[i].axis), s->planes[k].height,
-          s->planes[k].report.porosity);
+    for (size_t k = 0; k < s->count; k++) {
+      char text[SECTION_TEXT];
+      say(k == 0 ? "sections" : "", "%s",
+          section_say(text, job->asked->sections[i].axis, &s->planes[k]));
+    }
   }
+}
+
+static void say_radii(const char *what, size_t count, double least, double most,
+                      double mean)
+{
+  if (count == 0)
+    say(what, "none");
+  else
+    say(what, "%zu, radii %.6g to %.6g, mean %.6g", count, least, most, mean);
 }
 
 static void say_pores(const measure_job *job)
@@ -109,10 +121,9 @@ static void say_pores(const measure_job *job)
   const packing_pores_report *r = &job->pores.report;
   if (!job->pores.network)
     return;
-  say("pores", "%zu, radii %.6g to %.6g, mean %.6g", r->pores, r->min_r, r->max_r,
-      r->mean_r);
-  say("constrictions", "%zu, radii %.6g to %.6g, mean %.6g", r->constrictions,
-      r->min_constriction_r, r->max_constriction_r, r->mean_constriction_r);
+  say_radii("pores", r->pores, r->min_r, r->max_r, r->mean_r);
+  say_radii("constrictions", r->constrictions, r->min_constriction_r,
+            r->max_constriction_r, r->mean_constriction_r);
 }
 
 static void say_audit(const report *r)

@@ -383,7 +383,11 @@ def plots_are_drawn(program):
     flat = table([(1, 1, .5), (2, 1, .5)], "rect:4,4", "x,y,r")
     measured(program, flat, "--plot", "a", files=["a-%s.png" % name for name in PLOTS[:-1]])
     lone = table([(1, 1, 1, .5)], "box:2,2,2")
-    measured(program, lone, "--plot", "a", files=["a-%s.png" % name for name in PLOTS])
+    _, _, said = measured(program, lone, "--plot", "a", "--pores", "--section", "z=9",
+                          files=["a-%s.png" % name for name in PLOTS])
+    for words in ("no neighbours", "pores            none", "z = 9: outside of the container"):
+        holds(words in said, said)
+    holds("nan" not in said, said)
 
 
 def a_pack_of_nothing(program):
@@ -394,7 +398,7 @@ def a_pack_of_nothing(program):
     equal((report["particles"], report["porosity"]), (0, 1), "nothing but void")
     equal(report["coordination"]["mean"], None, "coordination")
     equal(report["measures"]["map"]["mean"], 1, "map")
-    holds("no particles" in said, said)
+    holds("no particles" in said and "nan" not in said, said)
 
 
 def quiet_says_nothing(program):
