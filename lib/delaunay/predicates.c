@@ -55,7 +55,7 @@ static void subtract(const packing_i_delaunay_point *a, const packing_i_delaunay
 
 int packing_i_delaunay_orient(int dim, const packing_i_delaunay_point *const p[4])
 {
-  double d[3][3];
+  double d[3][3] = {{0}};
   for (int i = 0; i < dim; i++)
     subtract(p[i + 1], p[0], d[i]);
   const sum s = dim == 3 ? minor3(d[0], d[1], d[2]) : minor2(d[0], d[1]);
@@ -163,8 +163,8 @@ int packing_i_delaunay_side(const packing_i_exact *exact, int dim,
                             const packing_i_delaunay_point *const p[4],
                             const packing_i_delaunay_point *q)
 {
-  double d[4][3];
-  sum l[4];
+  double d[4][3] = {{0}};
+  sum l[4] = {{0, 0}};
   for (int i = 0; i <= dim; i++) {
     subtract(p[i], q, d[i]);
     l[i] = lift(d[i], p[i], q);

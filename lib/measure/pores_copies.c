@@ -342,7 +342,7 @@ static packing_status check_margin(packing_i_pore_network *n, double margin)
 {
   for (int axis = 0; axis < 3; axis++)
     if ((n->periodic >> axis & 1U) &&
-        !(margin / n->period[axis] < PACKING_I_PORES_MOST_IMAGES / 4))
+        !(4 * margin / n->period[axis] < PACKING_I_PORES_MOST_IMAGES))
       return packing_i_fail(n->context, PACKING_ERR_RANGE, "domain", PACKING_NO_INDEX,
                             "its period %g along axis %d is too short for a void of %g",
                             n->period[axis], axis, margin);
