@@ -145,7 +145,7 @@ static packing_i_two long_side(int dim, const packing_i_delaunay_point *const p[
                                const packing_i_delaunay_point *q)
 {
   static const int others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-  long_row row[4];
+  long_row row[4] = {{{{0, 0}}, {0, 0}}};
   packing_i_two s = {0, 0};
   for (int i = 0; i <= dim; i++)
     long_row_set(&row[i], p[i], q);
