@@ -302,7 +302,7 @@ def stops_when_told(number):
         with Folder(program) as folder:
             folder.write("pack.csv", "old\n")
             run = subprocess.Popen([program, "--domain", "box:1,1,1", "--psd",
-                                    "uniform:0.0005,0.001", "--target-porosity", "0.6",
+                                    "uniform:0.002,0.004", "--target-porosity", "0.6",
                                     "--out", "pack.csv", "--out", "pack.vtp"],
                                    cwd=folder.path, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE)
