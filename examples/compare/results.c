@@ -164,11 +164,16 @@ cJSON *compare_report(const compare_job *job, const char *command)
 
 /* ---- for people ---- */
 
+/* Sizes of sets are whole but where they come from a standard error. */
 static void print_set(FILE *to, const compare_set *s)
 {
   const stat_dixon *d = &s->dixon;
-  fprintf(to, "%-16s n %-8.4g mean %-11.6g sd %-11.4g mean +- %.3g (95 %%)\n", s->name,
-          s->figures.n, s->figures.mean, s->figures.sd, stat_confidence95(&s->figures));
+  const stat_summary *f = &s->figures;
+  const int digits = f->n == floor(f->n) ? 0 : 2;
+  fprintf(to, "%-16s n %-8.*f mean %-11.6g", s->name, digits, f->n, f->mean);
+  if (isfinite(f->sd))
+    fprintf(to, " sd %-11.4g mean +- %.3g (95 %%)", f->sd, stat_confidence95(f));
+  fputc('\n', to);
   if (d->q > d->critical[0])
     fprintf(
         to,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the contact network says beside coordination and fabric, and the list of bonds. */
 #include <math.h>
+#include <stdio.h>
 #include "../common/measures.h"
 #include "measure.h"
 
@@ -68,6 +69,17 @@ int contacts_measure(measure_job *job)
     return measure_failed(job, status, "orientations");
   status = find_bonds(job);
   return status == PACKING_OK ? 0 : measure_failed(job, status, "--bonds");
+}
+
+const char *coordination_say(char text[COORDINATION_TEXT], const report *r)
+{
+  if (isfinite(r->coordination_mean_no_rattlers))
+    snprintf(text, COORDINATION_TEXT, "%.3f; %.3f without %zu rattler%s",
+             r->coordination_mean, r->coordination_mean_no_rattlers, r->rattlers,
+             r->rattlers == 1 ? "" : "s");
+  else
+    snprintf(text, COORDINATION_TEXT, "%.3f; all are rattlers", r->coordination_mean);
+  return text;
 }
 
 static void add_degrees(cJSON *all, const packing_classes_report *found)

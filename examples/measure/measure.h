@@ -187,6 +187,10 @@ void profiles_report(const measure_job *job, cJSON *list);
 int sections_measure(measure_job *job);
 void sections_report(const measure_job *job, cJSON *list);
 
+/* "6.031; 6.120 without 9 rattlers", for people; returns `text`. */
+enum { COORDINATION_TEXT = 120 };
+const char *coordination_say(char text[COORDINATION_TEXT], const report *r);
+
 /* "z = 7: void 0.4780", for people; returns `text`. */
 enum { SECTION_TEXT = 120 };
 const char *section_say(char text[SECTION_TEXT], packing_axis axis,

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -177,6 +178,8 @@ static int read_order(const char *text, measure_options *o)
     return read_count("--order", text + 8, 256, &o->neighbours.nearest);
   }
   o->neighbours.kind = PACKING_NEIGHBOURS_WITHIN;
+  if (!isdigit((unsigned char)*text) && !strchr("+-.", *text))
+    return BAD("--order: '%s' is not a factor, nearest:N or none", text);
   return number_positive("--order", text, &o->neighbours.factor);
 }
 

@@ -96,7 +96,8 @@ static void title_rdf(canvas *sheet, const rdf_found *found)
 
 packing_status plot_rdf(const pack *p, const packing_stream *stream)
 {
-  const rdf_found *found = &((const measure_job *)p->own)->rdf;
+  const measure_job *job = p->own;
+  const rdf_found *found = &job->rdf;
   const size_t bins = found->bins ? found->report.bins : 0;
   double *r = calloc(bins + 1, sizeof *r), *y = calloc(bins + 1, sizeof *y);
   canvas sheet;
@@ -111,7 +112,8 @@ packing_status plot_rdf(const pack *p, const packing_stream *stream)
   else if (bins && found->report.centres > 0)
     draw_rdf_curve(&g, found, r, y);
   else
-    draw_nothing(&g, "no particle is far enough from the walls");
+    draw_nothing(&g, job->view.count > 0 ? "no particle is far enough from the walls"
+                                         : "no particles");
   panel_frame(&g);
   free(y);
   free(r);
@@ -147,14 +149,11 @@ static void draw_degrees(const panel *g, const report *r)
 static void title_coordination(canvas *sheet, const measure_job *job)
 {
   const report *r = &job->report;
-  char below[240];
-  snprintf(
-      below, sizeof below,
-      "mean %.3f, %.3f without %zu rattlers; firm %.1f %%, stable %.1f %%, non stable "
-      "%.1f %%",
-      r->coordination_mean, r->coordination_mean_no_rattlers, r->rattlers,
-      100 * job->classes.firm_share, 100 * job->classes.stable_share,
-      100 * job->classes.non_stable_share);
+  char below[240], text[COORDINATION_TEXT];
+  snprintf(below, sizeof below,
+           "mean %s; firm %.1f %%, stable %.1f %%, non stable %.1f %%",
+           coordination_say(text, r), 100 * job->classes.firm_share,
+           100 * job->classes.stable_share, 100 * job->classes.non_stable_share);
   panel_title(sheet, LEFT, 40, WIDTH - LEFT - RIGHT, "Contacts of a particle",
               job->contacts ? below : "");
 }

@@ -17,19 +17,27 @@ __attribute__((format(printf, 2, 3))) static void say(const char *what,
   fputc('\n', stderr);
 }
 
+/* The ending of a word that `count` things share. */
+static const char *plural(size_t count)
+{
+  return count == 1 ? "" : "s";
+}
+
 static void say_pack(const measure_job *job)
 {
   const sizes_found *s = &job->sizes;
+  const char *what = job->spec.dim == 2 ? "disc" : "sphere",
+             *ending = plural(job->view.count);
   char count[40];
   canvas_format_count(count, sizeof count, job->view.count);
   if (!s->made)
     say("pack", "%s: no particles", job->asked->in.path);
   else if (s->lo == s->hi)
-    say("pack", "%s: %s %s of radius %.6g", job->asked->in.path, count,
-        job->spec.dim == 2 ? "discs" : "spheres", s->lo);
+    say("pack", "%s: %s %s%s of radius %.6g", job->asked->in.path, count, what, ending,
+        s->lo);
   else
-    say("pack", "%s: %s %s, radii %.6g to %.6g, mean %.6g", job->asked->in.path, count,
-        job->spec.dim == 2 ? "discs" : "spheres", s->lo, s->hi, s->mean);
+    say("pack", "%s: %s %s%s, radii %.6g to %.6g, mean %.6g", job->asked->in.path, count,
+        what, ending, s->lo, s->hi, s->mean);
 }
 
 static void say_void(const report *r)
@@ -47,12 +55,10 @@ static void say_contacts(const measure_job *job)
   const packing_classes_report *c = &job->classes;
   if (!job->contacts)
     return;
-  char rest[80] = "all are rattlers";
-  if (isfinite(r->coordination_mean_no_rattlers))
-    snprintf(rest, sizeof rest, "%.3f without %zu rattlers",
-             r->coordination_mean_no_rattlers, r->rattlers);
-  say("coordination", "%.3f; %s; %zu contacts with walls", r->coordination_mean, rest,
-      packing_contacts_wall_count(job->contacts));
+  const size_t walls = packing_contacts_wall_count(job->contacts);
+  char text[COORDINATION_TEXT];
+  say("coordination", "%s; %zu contact%s with walls", coordination_say(text, r), walls,
+      plural(walls));
   say("stability", "firm %.1f %%, stable %.1f %%, non stable %.1f %%",
       100 * c->firm_share, 100 * c->stable_share, 100 * c->non_stable_share);
 }
@@ -64,8 +70,8 @@ static void say_fabric(const report_fabric *f)
     return;
   if (f->dim == 3)
     snprintf(third, sizeof third, " %.4f", f->eigenvalues[2]);
-  say("fabric", "%.4f %.4f%s, sd %.4f (of %zu random contacts %.4f)", f->eigenvalues[0],
-      f->eigenvalues[1], third, f->sd, f->count, f->noise_floor);
+  say("fabric", "%.4f %.4f%s, sd %.4f (of %zu random contact%s %.4f)", f->eigenvalues[0],
+      f->eigenvalues[1], third, f->sd, f->count, plural(f->count), f->noise_floor);
 }
 
 static void say_order(const measure_job *job)
@@ -133,10 +139,13 @@ static void say_audit(const report *r)
       r->audit_passed ? "passed" : "FAILED", r->max_overlap, r->max_protrusion,
       r->audit_limit);
   if (a->overlaps > 0)
-    say("", "%zu overlaps, the largest of particles %zu and %zu; %zu pairs at one place",
-        a->overlaps, a->overlap_i, a->overlap_j, a->duplicates);
+    say("",
+        "%zu overlap%s, the largest of particles %zu and %zu; %zu pair%s at one place",
+        a->overlaps, plural(a->overlaps), a->overlap_i, a->overlap_j, a->duplicates,
+        plural(a->duplicates));
   if (a->protrusions > 0)
-    say("", "%zu stick out, particle %zu the farthest", a->protrusions, a->protrusion_i);
+    say("", "%zu stick%s out, particle %zu the farthest", a->protrusions,
+        a->protrusions == 1 ? "s" : "", a->protrusion_i);
 }
 
 void measure_summary(const measure_job *job)

@@ -244,6 +244,20 @@ def standard_output(program):
         holds("a and b" in result.err, result.err)
 
 
+def people_read_whole_counts(program):
+    """Sizes of sets stand in full, and what one number does not tell is left out."""
+    with Folder(program) as folder:
+        folder.write("one.csv", "one\n5\n")
+        folder.write("v.csv", "many\n" + "1\n" + "2\n" * 12344)
+        _, result = compare(folder, "--values", "one.csv", "--values", "v.csv",
+                            "--summary", "q=0.6,0.1,se=0.03")
+        lines = [line.split() for line in result.err.splitlines()]
+        equal(lines[0], ["one", "n", "1", "mean", "5"], result.err)
+        equal(lines[1][:3], ["many", "n", "12345"], result.err)
+        equal(lines[2][:3], ["q", "n", "11.11"], result.err)
+        holds("nan" not in result.err, result.err)
+
+
 main([(test.__name__.replace("_", " "), test) for test in (
     tables_8_and_9, tables_10_and_11, table_14, reports, packs, a_pack_of_any_format,
-    fits, fits_that_do_not_apply, chosen_tests, standard_output)])
+    fits, fits_that_do_not_apply, chosen_tests, people_read_whole_counts, standard_output)])

@@ -73,7 +73,7 @@ TESTS = [
     option("--up", "1,x,0", words=["--up", "'x'"]),
     option("--up", "0,0,1", words=["--up"], start=IN_FLAT),
     option("--order", "0", words=["--order"]),
-    option("--order", "all", words=["--order", "'all'"]),
+    option("--order", "all", words=["--order", "'all' is not a factor, nearest:N or none"]),
     option("--order", "nearest:0", words=["--order"]),
     option("--order", "nearest:257", words=["--order"]),
     option("--profile", "w", words=["--profile", "'w'", "radius"]),

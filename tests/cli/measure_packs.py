@@ -202,8 +202,8 @@ def unlike_audits_are_told(program):
     equal(report["audit"]["passed"], False, "passed")
     near(report["audit"]["max_overlap"], .2, 1e-12, "overlap")
     near(report["audit"]["max_protrusion"], .6, 1e-12, "protrusion")
-    holds("FAILED" in said and "1 overlaps, the largest of particles 0 and 1" in said, said)
-    holds("1 stick out, particle 2" in said, said)
+    holds("FAILED" in said and "1 overlap, the largest of particles 0 and 1" in said, said)
+    holds("1 sticks out, particle 2" in said, said)
     found = report["measures"]["audit"]
     near(found["min_gap"], -.2, 1e-12, "gap")
     equal([found[k] for k in list(found)[1:]], [0, 1, 1, 0, 1, 1, 2, 0, 0], "audit")
@@ -385,9 +385,19 @@ def plots_are_drawn(program):
     lone = table([(1, 1, 1, .5)], "box:2,2,2")
     _, _, said = measured(program, lone, "--plot", "a", "--pores", "--section", "z=9",
                           files=["a-%s.png" % name for name in PLOTS])
-    for words in ("no neighbours", "pores            none", "z = 9: outside of the container"):
+    for words in (": 1 sphere of radius 0.5", "coordination     0.000; all are rattlers; 0 contacts",
+                  "no neighbours", "pores            none", "z = 9: outside of the container"):
         holds(words in said, said)
     holds("nan" not in said, said)
+
+
+def one_is_not_many(program):
+    """The summary counts as people do."""
+    text = table([(1, 1, .4, .5), (1, 1, 1.3, .5)], "box:2,2,2")
+    _, _, said = measured(program, text)
+    for words in (": 2 spheres of", "1 overlap, the largest", "0 pairs at one place",
+                  "1 sticks out", "of 1 random contact "):
+        holds(words in said, words + " in " + said)
 
 
 def a_pack_of_nothing(program):
@@ -466,7 +476,7 @@ main([(test.__name__.replace("_", " "), test) for test in (
     lattices_have_their_numbers, discs_have_their_numbers, pores_of_the_cubic_lattice,
     report_has_every_key, unlike_audits_are_told, container_comes_from_where_it_is_told,
     lists_agree_with_brute_force, orders_of_each, void_adds_up, sieves_and_errors, components_are_told,
-    plots_are_drawn, a_pack_of_nothing, quiet_says_nothing, any_machine_finds_the_same,
+    plots_are_drawn, one_is_not_many, a_pack_of_nothing, quiet_says_nothing, any_machine_finds_the_same,
     stops_when_told, help_mentions_every_option)] + [
     ("as packing-cloud reported: spheres in a cylinder",
      made_and_measured(CLOUD, *MIXED, more=["--psd", MIXED[3]])),
