@@ -9,8 +9,10 @@
 #include <packing/contacts.h>
 #include <packing/dem.h>
 #include <packing/domain.h>
+#include <packing/front.h>
 #include <packing/grid.h>
 #include <packing/io.h>
+#include <packing/loosen.h>
 #include <packing/measure.h>
 #include <packing/order.h>
 #include <packing/particles.h>
@@ -20,7 +22,9 @@
 #include <packing/psd.h>
 #include <packing/readers.h>
 #include <packing/rng.h>
+#include <packing/shape.h>
 #include <packing/sizes.h>
+#include <packing/tangency.h>
 #include <packing/types.h>
 #include <packing/writers.h>
 

@@ -14,7 +14,7 @@ BELOW = {
     "math": {"base"},
     "rng": {"base", "math"},
     "psd": {"base", "math", "rng"},
-    "shape": {"base", "math"},
+    "shape": {"base", "math", "domain"},
     "domain": {"base", "math"},
     "particles": {"base", "math"},
     "grid": {"base", "math", "domain", "particles"},
@@ -29,7 +29,7 @@ BELOW = {
 # Public headers named otherwise than their module.
 MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure", "order": "measure",
              "pores": "measure", "porosity": "measure", "sizes": "measure", "readers": "io",
-             "writers": "io"}
+             "writers": "io", "front": "place", "loosen": "place", "tangency": "place"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
