@@ -21,6 +21,7 @@
 #include <packing/readers.h>
 #include <packing/rng.h>
 #include <packing/sizes.h>
+#include <packing/solids.h>
 #include <packing/types.h>
 #include <packing/writers.h>
 

@@ -28,7 +28,7 @@ BELOW = {
 }
 # Public headers named otherwise than their module.
 MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure", "order": "measure",
-             "pores": "measure", "porosity": "measure", "sizes": "measure", "readers": "io",
+             "pores": "measure", "porosity": "measure", "sizes": "measure", "solids": "domain", "readers": "io",
              "writers": "io"}
 # What only some modules may use.
 RESERVED = {
