@@ -36,6 +36,7 @@ typedef struct packing_i_front_tile {
   int pinned;                              /* holds periodic images: never emptied */
   int live;                                /* in the list of tiles with pockets */
   int surrounded;                          /* all tiles around are made */
+  int judged; /* `clear` is known */
   int clear; /* no wall is within reach of any sphere that starts here */
 } packing_i_front_tile;
 

@@ -116,8 +116,8 @@ typedef struct packing_i_pockets {
   unsigned periodic;
   packing_bounds bounds;
   packing_vec3 period;
+  int open_axis; /* of an open top; -1: none */
   int inward;
-  packing_vec3 innermost;
 
   /* lengths */
   double min_r, max_r, mean_r, reference_r, cap_r;
@@ -134,7 +134,7 @@ typedef struct packing_i_pockets {
   int colour;
   int idle_colours; /* in a row, of this level */
   int colours;
-  int active; /* lanes at work in this round */
+  size_t active; /* lanes at work in this round */
   uint32_t *live; /* tiles with pockets */
   size_t live_count, live_room;
 
@@ -223,17 +223,23 @@ packing_status packing_i_front_prepare_images(packing_i_pockets *p, uint32_t til
 
 /* ---- front_seed.c ---- */
 
-/* Places the first particles where nothing stands. Sets *placed to how many. */
-packing_status packing_i_front_seed(packing_i_pockets *p, size_t *placed);
+/* Enters the particles of the store. */
+packing_status packing_i_front_enter_store(packing_i_pockets *p);
+/* Places the first particles, until there are pockets or nothing more can be placed. */
+packing_status packing_i_front_seed(packing_i_pockets *p);
 
 /* ---- front_round.c ---- */
 
 /* One round; *done when there is nothing left to do. */
 packing_status packing_i_front_round(packing_i_pockets *p, int *done);
-/* Makes a tile and those around it ready to be worked on. */
+/* Makes a tile and those around it ready to be worked on, images included. */
 packing_status packing_i_front_prepare(packing_i_pockets *p, uint32_t tile);
-/* Takes over what a lane did. */
-packing_status packing_i_front_collect(packing_i_pockets *p, packing_i_front_lane *lane);
+/* Makes the tiles around one, and fills them. */
+packing_status packing_i_front_prepare_tile(packing_i_pockets *p, uint32_t tile);
+/* Takes over what a lane did; `stored`: its particle is index stored - 1 of the store, 0: its
+ * particles are new. */
+packing_status packing_i_front_collect(packing_i_pockets *p, packing_i_front_lane *lane,
+                                       size_t stored);
 
 /* Where a point is in the order of growth. */
 double packing_i_front_key(const packing_i_pockets *p, const packing_vec3 *c);
