@@ -29,9 +29,9 @@ static void set_lengths(packing_i_pockets *p)
   p->cap_r = 1.5 * p->max_r;
   p->slack = 1e-12 * p->mean_r * p->mean_r;
   const packing_bounds *b = &p->bounds;
-  const double far = fmax(fmax(fmax(fabs(b->lo.x), fabs(b->hi.x)),
-                               fmax(fabs(b->lo.y), fabs(b->hi.y))),
-                          fmax(fabs(b->lo.z), fabs(b->hi.z)));
+  const double far =
+      fmax(fmax(fmax(fabs(b->lo.x), fabs(b->hi.x)), fmax(fabs(b->lo.y), fabs(b->hi.y))),
+           fmax(fabs(b->lo.z), fabs(b->hi.z)));
   p->touch = fmax(1e-13 * p->min_r, 4 * DBL_EPSILON * far);
 }
 
@@ -80,8 +80,8 @@ static double expected(const packing_i_pockets *p)
 {
   const packing_placer *placer = p->placer;
   const double fraction = p->dim == 2 ? expected_2d : expected_3d;
-  const double ball = packing_i_ball_volume(p->dim, 1) *
-                      packing_i_source_moment(p->front.source, p->dim);
+  const double ball =
+      packing_i_ball_volume(p->dim, 1) * packing_i_source_moment(p->front.source, p->dim);
   double n = fraction * placer->domain_volume / ball;
   if (p->front.count != 0)
     n = fmin(n, (double)p->front.count);
@@ -92,22 +92,23 @@ static double expected(const packing_i_pockets *p)
 
 /* ---- start ---- */
 
-static packing_status members(const packing_placer *placer, size_t capacity, size_t *index,
-                              size_t *count);
+static packing_status members(const packing_placer *placer, size_t capacity,
+                              size_t *index, size_t *count);
 
 static packing_status start_lanes(packing_i_pockets *p, const packing_front_def *def,
                                   size_t stock)
 {
   packing_context *context = p->placer->context;
-  p->lane =
-      packing_i_calloc(packing_i_allocator(context), p->lanes, sizeof *p->lane);
+  p->lane = packing_i_calloc(packing_i_allocator(context), p->lanes, sizeof *p->lane);
   if (p->lane == NULL)
     return packing_i_nomem(context);
   p->halo_room = 512;
   for (size_t l = 0; l < p->lanes; l++) {
     PACKING_I_TRY(packing_i_lane_init(p, p->lane + l, p->halo_room));
-    if (l == 0)
+    if (l == 0) {
+      p->lane[0].source = p->front.source;
       continue;
+    }
     packing_front_def own = *def;
     own.stream += l * UINT64_C(0x9E3779B97F4A7C15); /* far from what users count */
     PACKING_I_TRY(packing_i_source_create(context, &own, p->placer->psd, stock,
@@ -116,7 +117,8 @@ static packing_status start_lanes(packing_i_pockets *p, const packing_front_def 
   return PACKING_OK;
 }
 
-static packing_status start(packing_i_pockets *p, const packing_front_def *def, size_t stock)
+static packing_status start(packing_i_pockets *p, const packing_front_def *def,
+                            size_t stock)
 {
   packing_placer *placer = p->placer;
   const double n = expected(p);
@@ -162,9 +164,8 @@ packing_status packing_i_front_pockets_start(packing_placer *placer,
   set_weights(p, def);
   placer->method = p;
   placer->ops = &packing_i_front_pockets_ops;
-  const packing_status status = start(p, def, packing_i_source_stock(head->source, 0)->count);
-  if (p->lane != NULL)
-    p->lane[0].source = p->front.source;
+  const packing_status status =
+      start(p, def, packing_i_source_stock(head->source, 0)->count);
   if (status != PACKING_OK) {
     p->front.source = NULL; /* still the caller's */
     if (p->lane != NULL)
@@ -214,8 +215,8 @@ static int by_index(const void *a, const void *b)
   return x < y ? -1 : x > y;
 }
 
-static packing_status members(const packing_placer *placer, size_t capacity, size_t *index,
-                              size_t *count)
+static packing_status members(const packing_placer *placer, size_t capacity,
+                              size_t *index, size_t *count)
 {
   const packing_i_pockets *p = placer->method;
   const packing_allocator *allocator = packing_i_allocator(placer->context);
@@ -258,6 +259,5 @@ static void release(packing_placer *placer)
 }
 
 const packing_i_placer_ops packing_i_front_pockets_ops = {
-    "front",
-    "I. Perez Morales and others, section 3; pockets between triples of bodies", step,
-    release};
+    "front", "I. Perez Morales and others, section 3; pockets between triples of bodies",
+    step, release};

@@ -155,7 +155,8 @@ static void muster(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t t)
 }
 
 /* Whether the particle that would come next is still asked for. */
-static int wants(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id, size_t index)
+static int wants(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id,
+                 size_t index)
 {
   if (!(lane->volume_left < HUGE_VAL))
     return 1;
@@ -217,8 +218,9 @@ static packing_status hand_out(packing_i_pockets *p, size_t *tiles)
     packing_i_front_lane *lane = p->lane + (*tiles)++ % p->active;
     if (lane->todo_count == lane->todo_room) {
       const size_t room = 2 * lane->todo_room + 64;
-      uint32_t *grown = packing_i_regrow(packing_i_allocator(p->placer->context), lane->todo,
-                                         lane->todo_count, room, sizeof *grown);
+      uint32_t *grown =
+          packing_i_regrow(packing_i_allocator(p->placer->context), lane->todo,
+                           lane->todo_count, room, sizeof *grown);
       if (grown == NULL)
         return packing_i_nomem(p->placer->context);
       lane->todo = grown;
