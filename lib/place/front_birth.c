@@ -35,18 +35,6 @@ static void cap_set(packing_i_front_caps *caps, size_t n,
   caps->halo[n] = (uint32_t)t;
 }
 
-static void cap_copy(packing_i_front_caps *caps, size_t to, size_t from)
-{
-  caps->x[to] = caps->x[from];
-  caps->y[to] = caps->y[from];
-  caps->z[to] = caps->z[from];
-  caps->square[to] = caps->square[from];
-  caps->top[to] = caps->top[from];
-  caps->room[to] = caps->room[from];
-  caps->reach[to] = caps->reach[from];
-  caps->halo[to] = caps->halo[from];
-}
-
 /* The bodies that a particle of the reference radius can touch beside the sphere, widest cap
  * first. */
 static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, double r)
@@ -55,8 +43,9 @@ static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, 
   packing_i_front_caps *caps = &lane->caps;
   const double distance = r + p->reference_r;
   double *narrow = lane->curves.room; /* not in use here */
-  caps->count = 0;
-  for (size_t t = 0; t < halo->count && caps->count + 1 < lane->curve_room; t++) {
+  uint32_t *order = lane->curve_pocket;
+  size_t count = 0;
+  for (size_t t = 0; t < halo->count && count + 1 < lane->curve_room; t++) {
     const double square =
         halo->x[t] * halo->x[t] + halo->y[t] * halo->y[t] + halo->z[t] * halo->z[t];
     const double top = halo->a[t] + halo->b[t] * p->reference_r;
@@ -66,14 +55,17 @@ static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, 
     const double cosine = halo->id[t] == (PACKING_I_FRONT_WALL | PACKING_I_FRONT_PLANE)
                               ? -2
                               : narrowness(top, square, distance);
-    size_t n = caps->count++;
+    size_t n = count++;
     for (; n > 0 && narrow[n - 1] > cosine; n--) {
-      cap_copy(caps, n, n - 1);
       narrow[n] = narrow[n - 1];
+      order[n] = order[n - 1];
     }
-    cap_set(caps, n, halo, t, p);
     narrow[n] = cosine;
+    order[n] = (uint32_t)t;
   }
+  for (size_t n = 0; n < count; n++)
+    cap_set(caps, n, halo, order[n], p);
+  caps->count = count;
 }
 
 /* ---- one candidate ---- */
@@ -154,7 +146,7 @@ static void keep(const birth *b, const packing_i_pocket *pocket, uint32_t home)
       (home != lane->at_work && lane->outbox_count == lane->outbox_room))
     return;
   const uint32_t id = lane->free_pocket;
-  packing_i_pocket *q = p->pocket + id;
+  packing_i_pocket *q = packing_i_pocket_at(p, id);
   const uint32_t version = q->version;
   lane->free_pocket = q->next;
   lane->free_pockets--;
@@ -213,14 +205,14 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
       if (walls.id[t] == id[1])
         k = t;
     }
-    p->kernels->interval(curve, &walls, j, k, start, p->slack, interval);
+    p->kernels->interval(curve, &walls, j, k, start, p->cap_r, p->slack, interval);
     for (size_t n = 0; n < held; n++) {
       for (int f = 0; f < 6; f++)
         column[f][spheres + n] = saved[f][n];
       halo->id[spheres + n] = saved_id[n];
     }
   } else {
-    p->kernels->interval(curve, halo, j, k, start, p->slack, interval);
+    p->kernels->interval(curve, halo, j, k, start, p->cap_r, p->slack, interval);
   }
   return interval->exit[0] >= interval->lo && interval->exit[0] >= p->min_r &&
          interval->lo <= p->max_r;
@@ -264,6 +256,7 @@ static void try_candidate(const birth *b, size_t n)
   pocket.alive = 1;
   pocket.zone = (uint16_t)packing_i_source_zone(lane->source, &at);
   pocket.walls = (uint8_t)packing_i_front_is_wall(halo->id[halo->count - 1]);
+  packing_i_pocket_measure(p, &pocket);
   keep(b, &pocket, tile_of(&p->grid, b->tile, &at));
 }
 

@@ -76,7 +76,7 @@ static void pop(packing_i_front_lane *lane)
 
 void packing_i_pocket_offer(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id)
 {
-  packing_i_pocket *pocket = p->pocket + id;
+  packing_i_pocket *pocket = packing_i_pocket_at(p, id);
   size_t index;
   pocket->version++;
   if (pocket->home != lane->at_work || !(pocket->key < p->level))
@@ -93,7 +93,7 @@ uint32_t packing_i_pocket_best(packing_i_pockets *p, packing_i_front_lane *lane,
 {
   while (lane->heap_count > 0) {
     packing_i_front_entry top = lane->heap[0];
-    const packing_i_pocket *pocket = p->pocket + top.pocket;
+    const packing_i_pocket *pocket = packing_i_pocket_at(p, top.pocket);
     if (!pocket->alive || pocket->version != top.version) {
       pop(lane);
       continue;
