@@ -260,6 +260,42 @@ static void try_candidate(const birth *b, size_t n)
   keep(b, &pocket, tile_of(&p->grid, b->tile, &at));
 }
 
+/* Where only so many pockets of a sphere are wanted: brings the candidates that are lowest in the
+ * order of growth to the front. Returns how many to try. */
+static size_t keep_lowest(const birth *b)
+{
+  packing_i_front_candidates *c = &b->lane->candidates;
+  const size_t wanted = b->p->litter;
+  if (c->count <= wanted)
+    return c->count;
+  double *key = b->lane->curves.room; /* not in use here */
+  const size_t count = c->count < b->lane->curve_room ? c->count : b->lane->curve_room;
+  for (size_t n = 0; n < count; n++) {
+    const packing_vec3 at =
+        packing_i_add(b->centre, packing_i_vec(c->x[n], c->y[n], c->z[n]));
+    key[n] = packing_i_front_key(b->p, &at);
+  }
+  for (size_t n = 0; n < wanted; n++) {
+    size_t least = n;
+    for (size_t m = n + 1; m < count; m++)
+      if (key[m] < key[least])
+        least = m;
+    const double k = key[n], x = c->x[n], y = c->y[n], z = c->z[n];
+    const uint32_t pair = c->pair[n];
+    key[n] = key[least];
+    c->x[n] = c->x[least];
+    c->y[n] = c->y[least];
+    c->z[n] = c->z[least];
+    c->pair[n] = c->pair[least];
+    key[least] = k;
+    c->x[least] = x;
+    c->y[least] = y;
+    c->z[least] = z;
+    c->pair[least] = pair;
+  }
+  return wanted;
+}
+
 void packing_i_pockets_born(packing_i_pockets *p, packing_i_front_lane *lane,
                             uint32_t tile, uint32_t place, const packing_vec3 *centre,
                             double r)
@@ -290,6 +326,7 @@ void packing_i_pockets_born(packing_i_pockets *p, packing_i_front_lane *lane,
     p->kernels->pairs(&lane->caps, first, r + p->reference_r, candidates);
   }
   p->kernels->sieve(&lane->caps, candidates);
-  for (size_t n = 0; n < candidates->count; n++)
+  const size_t kept = keep_lowest(&b);
+  for (size_t n = 0; n < kept; n++)
     try_candidate(&b, n);
 }

@@ -136,7 +136,8 @@ typedef struct packing_i_pockets {
 
   /* weights of the score */
   double second, third, order, balance;
-  int exits; /* how many of a pocket's exits count */
+  size_t litter; /* pockets a sphere may have at its birth */
+  int exits;     /* how many of a pocket's exits count */
 
   double level, level_step;
   int colour;
