@@ -69,6 +69,16 @@ void packing_i_source_destroy(packing_i_source *source)
   packing_context_destroy(context);
 }
 
+packing_psd *packing_i_source_psd(const packing_i_source *source)
+{
+  return source->zone[0].psd;
+}
+
+int packing_i_source_listed(const packing_i_source *source)
+{
+  return source->zone[0].listed;
+}
+
 size_t packing_i_source_zones(const packing_i_source *source)
 {
   return source->zones;

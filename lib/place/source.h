@@ -40,6 +40,11 @@ packing_status packing_i_source_create(packing_context *context,
                                        size_t stock, packing_i_source **source);
 void packing_i_source_destroy(packing_i_source *source); /* NULL is fine */
 
+/* The distribution of zone 0; of a list, its law as it was at the start. */
+packing_psd *packing_i_source_psd(const packing_i_source *source);
+
+int packing_i_source_listed(const packing_i_source *source); /* 1: an exact list */
+
 size_t packing_i_source_zones(const packing_i_source *source);
 /* The zone of a centre, from 0 (the placer's own distribution): the first region that holds it,
  * or what `choose` says; 0 where that is above the number of regions. Thread-safe. */
