@@ -6,7 +6,7 @@
  * does not. So what is drawn goes into a stock, from which the front takes what it likes, and
  * what is placed differs from what was drawn by the stock at most: N KS(placed) <= N KS(drawn) +
  * stock. Drawn by strata, N KS(drawn) of a law with one number is about 5 for all N from 100 to
- * 10^6 and at most 7 in 63 trials (proved bound: 16 + 4 + 3.6 log(1 + N / 64)), where
+ * 10^6 and at most 7 in 83 trials (proved bound: 16 + 4 + 3.6 log(1 + N / 64)), where
  * independent draws have 0.87 sqrt(N). The front sees by the bins of the stock of what it holds
  * too much. Radii are drawn by number whatever the law counts; of a mixture the part by strata,
  * and then the radius in that part by strata of its own.
