@@ -267,8 +267,8 @@ packing_status packing_front_create(packing_context *context,
   packing_status status =
       packing_i_source_create(context, &d, psd, stock_of(&d), &head.source);
   if (status == PACKING_OK)
-    status = packing_i_placer_create(
-        context, &packing_i_front_paper_ops, domain, packing_i_source_psd(head.source), particles, &p);
+    status = packing_i_placer_create(context, &packing_i_front_paper_ops, domain,
+                                     packing_i_source_psd(head.source), particles, &p);
   if (status == PACKING_OK)
     status = set_head(p, &d, &head);
   if (status == PACKING_OK)
