@@ -7,21 +7,23 @@ packing_i_ring_body packing_i_ring_body_of(packing_vec3 p, double r_l, double r,
   packing_i_ring_body body = {.t = (r_l + r) / unit};
   body.p = packing_i_vec(p.x / unit, p.y / unit, p.z / unit);
   const double d = packing_i_norm(body.p);
+  body.d = d;
   body.a = 0.5 * (1 + (d - body.t) * (d + body.t));
+  body.cosine = body.a / d;
+  const double sine2 = (1 - body.cosine) * (1 + body.cosine);
+  body.sine = sine2 > 0 ? sqrt(sine2) : 0;
   body.slack = slack / unit * body.t;
   return body;
 }
 
 int packing_i_ring_of(const packing_i_ring_body *j, packing_i_ring *ring)
 {
-  const double d = packing_i_norm(j->p);
-  const packing_vec3 n = packing_i_vec(j->p.x / d, j->p.y / d, j->p.z / d);
+  const packing_vec3 n = packing_i_vec(j->p.x / j->d, j->p.y / j->d, j->p.z / j->d);
   ring->n = n;
-  ring->h = j->a / d;
-  const double w2 = (1 - ring->h) * (1 + ring->h);
-  if (!(w2 > 0))
+  ring->h = j->cosine;
+  ring->w = j->sine;
+  if (!(ring->w > 0))
     return 0;
-  ring->w = sqrt(w2);
   const double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
   const packing_vec3 e = x <= y && x <= z ? packing_i_vec(0, n.z, -n.y)
                          : y <= z         ? packing_i_vec(-n.z, 0, n.x)
@@ -62,14 +64,20 @@ int packing_i_ring_bounds(const packing_i_ring *ring, const packing_i_ring_body 
   return 1;
 }
 
-/* x and y of an end; rounding may leave the root of a small negative number. */
-static void end_of(const packing_i_ring_bound *bound, unsigned side, double *x, double *y)
+/* x and y of both ends; rounding may leave the root of a small negative number. */
+static void ends_of(const packing_i_ring_bound *bound, double x[2], double y[2])
 {
   const double a = bound->a, b = bound->b, c = bound->c, h2 = a * a + b * b;
-  const double s2 = h2 - c * c, s = s2 > 0 ? sqrt(s2) : 0;
-  const double turn = side == 1 ? s : -s;
-  *x = (a * c - b * turn) / h2;
-  *y = (b * c + a * turn) / h2;
+  const double s2 = h2 - c * c, s = s2 > 0 ? sqrt(s2) : 0, share = 1 / h2;
+  x[0] = (a * c - b * s) * share;
+  y[0] = (b * c + a * s) * share;
+  x[1] = (a * c + b * s) * share;
+  y[1] = (b * c - a * s) * share;
+}
+
+static int takes(const packing_i_ring_bound *bound, double x, double y)
+{
+  return bound->a * x + bound->b * y > bound->most;
 }
 
 size_t packing_i_ring_ends(const packing_i_ring_body *bodies,
@@ -80,19 +88,17 @@ size_t packing_i_ring_ends(const packing_i_ring_body *bodies,
   for (size_t k = from; k < upto; k++) {
     if (bodies[bounds[k].body].done)
       continue;
+    double x[2], y[2];
     unsigned sides = 0;
-    for (unsigned side = 1; side <= 2; side++) {
-      double x, y;
-      end_of(&bounds[k], side, &x, &y);
-      const packing_i_ring_bound *first = &bounds[last];
-      if (last != k && first->a * x + first->b * y > first->most)
+    ends_of(&bounds[k], x, y);
+    for (unsigned side = 0; side < 2; side++) {
+      if (last != k && takes(&bounds[last], x[side], y[side]))
         continue;
       size_t l = 0;
-      while (l < bounding &&
-             (l == k || bounds[l].a * x + bounds[l].b * y <= bounds[l].most))
+      while (l < bounding && (l == k || !takes(&bounds[l], x[side], y[side])))
         l++;
       if (l == bounding)
-        sides |= side;
+        sides |= 1U << side;
       else
         last = l;
     }
@@ -105,10 +111,10 @@ size_t packing_i_ring_ends(const packing_i_ring_body *bodies,
 packing_vec3 packing_i_ring_at(const packing_i_ring *ring,
                                const packing_i_ring_bound *bound, unsigned side)
 {
-  double x, y;
-  end_of(bound, side, &x, &y);
-  const packing_vec3 across =
-      packing_i_add(packing_i_scale(ring->e, x), packing_i_scale(ring->f, y));
+  double x[2], y[2];
+  ends_of(bound, x, y);
+  const packing_vec3 across = packing_i_add(packing_i_scale(ring->e, x[side - 1]),
+                                            packing_i_scale(ring->f, y[side - 1]));
   return packing_i_add(packing_i_scale(ring->n, ring->h),
                        packing_i_scale(across, ring->w));
 }

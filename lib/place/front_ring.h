@@ -20,11 +20,13 @@
 /* A sphere beside sphere i. */
 typedef struct packing_i_ring_body {
   packing_vec3 p;
+  double d; /* |p| */
   double t; /* r_l + r */
   double a;
-  double slack; /* by which a may be exceeded: rounding */
-  size_t index; /* of the particle */
-  int done;     /* 1: no place touches it */
+  double slack;        /* by which a may be exceeded: rounding */
+  double cosine, sine; /* of the cap that it takes of all places */
+  size_t index;        /* of the particle */
+  int done;            /* 1: no place touches it */
 } packing_i_ring_body;
 
 /* The part of the ring that a body leaves. */
@@ -48,6 +50,16 @@ typedef struct packing_i_ring_end {
 /* A body at p (absolute lengths, from the centre of i) of radius r_l; `unit` is R. */
 packing_i_ring_body packing_i_ring_body_of(packing_vec3 p, double r_l, double r,
                                            double unit, double slack);
+
+/* Whether the cap of body l lies within that of body k: then l neither bounds nor is touched. Caps
+ * that all but fill one another's are told apart by more than rounding. */
+static inline int packing_i_ring_hides(const packing_i_ring_body *k,
+                                       const packing_i_ring_body *l)
+{
+  const double apart = packing_i_dot(k->p, l->p);
+  return k->cosine < l->cosine &&
+         apart > k->d * l->d * (k->cosine * l->cosine + k->sine * l->sine + 1e-9);
+}
 
 /* The ring of body j; 0: it is no longer than rounding. */
 int packing_i_ring_of(const packing_i_ring_body *j, packing_i_ring *ring);

@@ -37,7 +37,18 @@ static size_t particle_near(const packing_i_paper_scan *scan, size_t entry)
   return scan->near.at[entry].index;
 }
 
-/* All neighbours as bodies, those first that take most of the places. */
+/* Whether one of the first `count` bodies takes all places that this one would. */
+static int is_hidden(const packing_i_ring_body *bodies, size_t count,
+                     const packing_i_ring_body *body)
+{
+  for (size_t k = 0; k < count; k++)
+    if (packing_i_ring_hides(&bodies[k], body))
+      return 1;
+  return 0;
+}
+
+/* All neighbours as bodies, those first that take most of the places; without those that are
+ * hidden, some two thirds. */
 static void fill_bodies(packing_i_paper *paper)
 {
   packing_i_paper_scan *scan = &paper->scan;
@@ -46,12 +57,15 @@ static void fill_bodies(packing_i_paper *paper)
   for (size_t l = 0; l < count; l++) {
     const packing_i_index_image *image = &scan->near.at[l];
     unsorted[l] = body_of(paper, image->p, image->r, image->index);
-    scan->rank[l] = (packing_i_rank){unsorted[l].a, l};
+    scan->rank[l] = (packing_i_rank){unsorted[l].cosine, l};
   }
   packing_i_ranks_sort(scan->rank, scan->rank + count, count);
-  for (size_t l = 0; l < count; l++)
-    scan->body[l] = unsorted[scan->rank[l].index];
-  scan->bodies = count;
+  scan->bodies = 0;
+  for (size_t l = 0; l < count; l++) {
+    const packing_i_ring_body *body = &unsorted[scan->rank[l].index];
+    if (!is_hidden(scan->body, scan->bodies, body))
+      scan->body[scan->bodies++] = *body;
+  }
 }
 
 packing_status packing_i_paper_rings_begin(packing_placer *placer)
@@ -63,7 +77,8 @@ packing_status packing_i_paper_rings_begin(packing_placer *placer)
   scan->outers = count;
   if (is_few(scan)) {
     fill_bodies(paper);
-    packing_i_paper_order(paper, scan->outer, count, particle_of_body);
+    scan->outers = scan->bodies;
+    packing_i_paper_order(paper, scan->outer, scan->outers, particle_of_body);
   } else {
     packing_i_paper_order(paper, scan->outer, count, particle_near);
   }
