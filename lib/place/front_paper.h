@@ -6,8 +6,8 @@
 
 #include "domain/domain_internal.h"
 #include "front_internal.h"
-#include "front_list.h"
-#include "front_ring.h"
+#include "front_paper_list.h"
+#include "front_paper_ring.h"
 #include "place_index.h"
 #include "ranks.h"
 

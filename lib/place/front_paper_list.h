@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef PACKING_FRONT_LIST_H
-#define PACKING_FRONT_LIST_H
+#ifndef PACKING_FRONT_PAPER_LIST_H
+#define PACKING_FRONT_PAPER_LIST_H
 
 /* The particles of the front, in one of the three orders of section 3.3: any of them, the oldest
  * or the youngest. 4 bytes a member; adding, choosing and dropping take constant time. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "front_ring.h"
+#include "front_paper_ring.h"
 
 packing_i_ring_body packing_i_ring_body_of(packing_vec3 p, double r_l, double r,
                                            double unit, double slack)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef PACKING_FRONT_RING_H
-#define PACKING_FRONT_RING_H
+#ifndef PACKING_FRONT_PAPER_RING_H
+#define PACKING_FRONT_PAPER_RING_H
 
 /* The places of a sphere that touches two spheres, as a ring, and where other spheres let it be.
  *

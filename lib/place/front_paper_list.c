@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "front_list.h"
+#include "front_paper_list.h"
 #include <string.h>
 
 packing_status packing_i_front_list_reserve(packing_i_front_list *list,

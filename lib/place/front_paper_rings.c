@@ -2,7 +2,7 @@
 /* Steps 2.2 and 2.2.1 for spheres and discs: of all pairs of neighbours of P_i the first, in the
  * order asked, between which the pending particle has a place. The wrappers of P_i and P_j meet in
  * a ring, on which each other sphere takes an arc: a place is an end of an arc that no other arc
- * covers (front_ring.h). So P_j costs one look at the neighbours and one at the pairs of ends, and
+ * covers (front_paper_ring.h). So P_j costs one look at the neighbours and one at the pairs of ends, and
  * what a neighbour hides as a whole costs next to nothing.
  *
  * Order: P_j by age or at random, then P_k by age or at random among those with a place; of two
