@@ -248,9 +248,7 @@ static packing_status start(packing_placer *placer, const packing_front_def *d,
 {
   if (d->mode == PACKING_FRONT_PAPER)
     return packing_i_front_paper_start(placer, d, head);
-  return packing_i_fail(placer->context, PACKING_ERR_UNSUPPORTED, "mode",
-                        PACKING_NO_INDEX, "%s is not built",
-                        packing_front_mode_name(d->mode));
+  return packing_i_front_pockets_start(placer, d, head);
 }
 
 packing_status packing_front_create(packing_context *context,

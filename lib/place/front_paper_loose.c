@@ -4,7 +4,6 @@
  * goes on from a lone particle. Only the first particles of a run need it, and those that stood in
  * the store far from others. */
 #include "front_paper.h"
-#include "shape/shape_internal.h"
 
 enum { TRIES = 64, SETTLE_STEPS = 40 };
 
@@ -13,7 +12,7 @@ static double gap_of(double r, const packing_body *body, packing_vec3 x,
 {
   if (body->domain != NULL) {
     const packing_body mobile = packing_body_sphere(x, r);
-    return packing_i_body_wall_gap(&mobile, body, normal);
+    return packing_body_wall_gap(&mobile, body, normal);
   }
   const packing_vec3 apart = packing_i_sub(x, body->centre);
   const double length = packing_i_norm(apart);
