@@ -12,7 +12,7 @@ static double gap_of(double r, const packing_body *body, packing_vec3 x,
 {
   if (body->domain != NULL) {
     const packing_body mobile = packing_body_sphere(x, r);
-    return packing_body_wall_gap(&mobile, body, normal);
+    return packing_body_wall_gap(&mobile, body->domain, body->wall, normal);
   }
   const packing_vec3 apart = packing_i_sub(x, body->centre);
   const double length = packing_i_norm(apart);
