@@ -51,6 +51,7 @@ typedef struct packing_i_touch_line {
   packing_vec3 middle; /* c_m */
   packing_vec3 along;  /* u, unit, to the side */
   double length;       /* 2 R */
+  int is_free;         /* whether the mobile particle is free of all bodies at c_0 */
 } packing_i_touch_line;
 
 /* Returns 0 where the bodies have no such line: centres in a row, opposite walls. */
