@@ -32,6 +32,14 @@ int packing_i_touch_all_round(const packing_contact_task *task)
   return task->mobile.shape == NULL;
 }
 
+int packing_i_touch_has_walls(const packing_contact_task *task)
+{
+  for (int i = 0; i < task->dim; i++)
+    if (task->fixed[i].domain != NULL)
+      return 1;
+  return 0;
+}
+
 packing_vec3 packing_i_touch_towards(const packing_contact_task *task, int index,
                                      packing_vec3 from)
 {
