@@ -129,12 +129,22 @@ packing_body packing_i_paper_body(const packing_placer *placer, size_t particle,
   return body;
 }
 
+/* How far below an open top a point lies; infinity: there is none. */
+static double below_top(const packing_domain *domain, packing_vec3 p)
+{
+  const int axis = domain->body.open_axis;
+  if (axis < 0)
+    return HUGE_VAL;
+  return packing_i_component(domain->body.bounds.hi, axis) - packing_i_component(p, axis);
+}
+
 int packing_i_paper_inside(const packing_placer *placer, const packing_body *mobile,
                            size_t zone)
 {
   const packing_i_paper *paper = placer->method;
   const double slack = packing_i_paper_slack(paper, mobile->r, mobile->r);
-  if (!packing_i_vec_finite(mobile->centre))
+  if (!packing_i_vec_finite(mobile->centre) ||
+      below_top(placer->domain, mobile->centre) < mobile->r - slack)
     return 0;
   if (mobile->shape == NULL) {
     if (!packing_domain_holds(placer->domain, &mobile->centre, mobile->r - slack))
@@ -195,7 +205,8 @@ static void select(packing_placer *placer)
   scan->centre = packing_i_vec(store->x[scan->i], store->y[scan->i], store->z[scan->i]);
   packing_domain_wrap(placer->domain, &scan->centre);
   scan->r_i = store->r[scan->i];
-  scan->room = packing_domain_signed_distance(placer->domain, &scan->centre, NULL);
+  scan->room = fmin(packing_domain_signed_distance(placer->domain, &scan->centre, NULL),
+                    below_top(placer->domain, scan->centre));
   scan->zone = packing_i_source_zone(paper->front.source, &scan->centre);
   scan->selected = 1;
   scan->gathered = 0;
@@ -433,6 +444,9 @@ packing_status packing_i_front_paper_start(packing_placer *placer,
                                            const packing_front_def *def,
                                            const packing_i_front *head)
 {
+  if (def->direction == PACKING_FRONT_INWARD && !isfinite(head->room))
+    return packing_i_fail(placer->context, PACKING_ERR_RANGE, "direction",
+                          PACKING_NO_INDEX, "inward needs walls, there are none");
   packing_i_paper *paper =
       packing_i_calloc(packing_i_allocator(placer->context), 1, sizeof *paper);
   if (paper == NULL)
