@@ -9,11 +9,12 @@
  * until the mobile particle, on its way from c_0 to c_m, slides along the wall: it touches the
  * wall all the time where that is flat, at one end where it is curved. (The gap is 2^-40 of the
  * mobile radius and not 0, lest rounding make it an overlap.) u stays normal to the particles'
- * c_m - c_i, so that c_0 is free of them as before. Constant time. */
+ * c_m - c_i, so that c_0 is free of them as before. Where a curved wall leaves no room for a line of
+ * that length, a half or a quarter of it serves if its end is free. Constant time. */
 #include "touch_internal.h"
 #include <float.h>
 
-enum { LIFTS = 24 };
+enum { LIFTS = 24, SHORTEST = 4 };
 
 static packing_vec3 mean_of_particles(const packing_contact_task *task, double *largest)
 {
@@ -75,30 +76,61 @@ static packing_vec3 lift_of(const rails *r)
       packing_i_scale(r->normal[1], (r->wanted[1] - cosine * r->wanted[0]) / det));
 }
 
+/* How much further along its normal a wall wants the line, for the particle at one end to come
+ * free of it. */
+static double missing_at(const packing_body *end, const rails *r, int k)
+{
+  packing_vec3 normal;
+  const double gap =
+      packing_body_wall_gap(end, r->wall[k]->domain, r->wall[k]->wall, &normal);
+  if (gap >= 0.5 * r->slack)
+    return 0;
+  const double cosine = packing_i_dot(normal, r->normal[k]);
+  return (r->slack - gap) / (cosine > 0.25 ? cosine : 0.25);
+}
+
 /* Moves the line until neither end protrudes from a wall. */
-static int lift(const packing_contact_task *task, packing_vec3 mean, rails *r,
+static int lift(const packing_contact_task *task, packing_vec3 mean, rails start,
                 packing_i_touch_line *line)
 {
+  rails moved = start, *r = &moved;
   for (int step = 0; step < LIFTS; step++) {
     line->middle = packing_i_add(mean, lift_of(r));
     const packing_body near = packing_i_touch_mobile(task, line, 0),
                        far = packing_i_touch_mobile(task, line, 1);
-    int free = 1;
+    double most = 0;
     for (int k = 0; k < r->count; k++) {
-      const double one =
-          packing_body_wall_gap(&near, r->wall[k]->domain, r->wall[k]->wall, NULL);
-      const double two =
-          packing_body_wall_gap(&far, r->wall[k]->domain, r->wall[k]->wall, NULL);
-      const double least = one < two ? one : two;
-      if (least >= 0.5 * r->slack)
-        continue;
-      r->wanted[k] += r->slack - least;
-      free = 0;
+      const double one = missing_at(&near, r, k), two = missing_at(&far, r, k);
+      const double more = one > two ? one : two;
+      r->wanted[k] += more;
+      most = more > most ? more : most;
     }
-    if (free)
+    if (!(most > 0))
       return packing_i_vec_finite(line->middle);
   }
   return 0;
+}
+
+static int free_of_particles(const packing_contact_task *task, const packing_body *mobile)
+{
+  for (int i = 0; i < task->dim; i++)
+    if (task->fixed[i].domain == NULL && packing_body_overlap(mobile, &task->fixed[i]))
+      return 0;
+  return 1;
+}
+
+/* The line of the paper's length, or what of it a narrow container leaves. */
+static void set_length(const packing_contact_task *task, packing_vec3 mean,
+                       const rails *r, double length, packing_i_touch_line *line)
+{
+  line->is_free = 0;
+  for (int part = 1; part <= SHORTEST && !line->is_free; part *= 2) {
+    line->length = length / part;
+    if (!lift(task, mean, *r, line))
+      continue;
+    const packing_body far = packing_i_touch_mobile(task, line, 1);
+    line->is_free = part == 1 || free_of_particles(task, &far);
+  }
 }
 
 int packing_i_touch_line_of(const packing_contact_task *task, int side,
@@ -122,6 +154,6 @@ int packing_i_touch_line_of(const packing_contact_task *task, int side,
   if (!(length > 1e-9 * packing_i_norm(way[0]) * packing_i_norm(way[1])))
     return 0;
   line->along = packing_i_scale(normal, side / length);
-  line->length = 2 * largest;
-  return lift(task, mean, &r, line);
+  set_length(task, mean, &r, 2 * largest, line);
+  return 1;
 }

@@ -38,6 +38,8 @@ int packing_i_touch_descend(const packing_contact_task *task, packing_vec3 *x);
 /* Whether all particles of the task are spheres. */
 int packing_i_touch_all_round(const packing_contact_task *task);
 
+int packing_i_touch_has_walls(const packing_contact_task *task);
+
 /* The first particle of the fixed bodies; the bodies after it in turn give, with it, the side. */
 int packing_i_touch_first(const packing_contact_task *task);
 
@@ -51,6 +53,7 @@ typedef struct packing_i_touch_line {
   packing_vec3 middle; /* c_m */
   packing_vec3 along;  /* u, unit, to the side */
   double length;       /* 2 R */
+  int is_free;         /* whether the mobile particle is free of all bodies at c_0 */
 } packing_i_touch_line;
 
 /* Returns 0 where the bodies have no such line: centres in a row, opposite walls. */
