@@ -12,6 +12,7 @@
 #include <packing/grid.h>
 #include <packing/io.h>
 #include <packing/measure.h>
+#include <packing/mesh.h>
 #include <packing/order.h>
 #include <packing/particles.h>
 #include <packing/placer.h>
