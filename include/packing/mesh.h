@@ -55,7 +55,7 @@ static inline void packing_mesh_def_init(packing_mesh_def *def)
 
 /** Makes a mesh of a copy of the arrays, and a tree over its triangles. It may have every defect
  *  that packing_mesh_check() knows. Vertices are merged (see packing_mesh_def), the rest keeps its
- *  order; vertices of no triangle are left out. Coordinates smaller than 2^-146 of the largest
+ *  order; vertices of no triangle are left out. Coordinates smaller than 2^-144 of the largest
  *  become 0.
  *  \param context NULL is fine
  *  \param def options; the arrays have no default

@@ -3,8 +3,8 @@
  *
  * Boxes in boxes, two balls, a ball and a cylinder have closed forms (cut_planes.c, lens.c,
  * ball_cylinder.c): some tenths of a microsecond. Where curved walls of both cut, or a round cell
- * a box, the volume comes from slices (cut_slices.c). A custom container takes the cell's wall
- * for one more wall of its own (subdivide.c). */
+ * a box, the volume comes from slices (cut_slices.c). A custom container or a mesh takes the
+ * cell's wall for one more wall of its own (subdivide.c). */
 #include "cut_internal.h"
 #include <float.h>
 
@@ -64,16 +64,16 @@ static int side_of_cell(const packing_i_cut_job *j)
   return d >= j->cell->radius + j->r ? -1 : d <= j->cell->radius - j->r;
 }
 
-/* A custom container with the cell's wall. */
+/* A custom container or a mesh with the cell's wall. */
 typedef struct both {
   const packing_i_domain_body *body;
   const packing_i_cell *cell;
 } both;
 
-static double distance_to_both(void *user, const packing_vec3 *point,
-                               packing_vec3 *normal)
+static double distance_to_both(const packing_i_domain_body *body,
+                               const packing_vec3 *point, packing_vec3 *normal)
 {
-  const both *b = user;
+  const both *b = body->as.custom.user;
   packing_vec3 away;
   const double d = b->body->ops->signed_distance(b->body, point, normal);
   const double rho = from_middle(b->cell, b->body->dim, point, &away);
@@ -86,10 +86,11 @@ static double distance_to_both(void *user, const packing_vec3 *point,
 
 static int subdivided(const packing_i_cut_job *j, double *volume, double *error)
 {
+  static const packing_i_domain_ops ops = {.name = "part",
+                                           .signed_distance = distance_to_both};
   both b = {j->body, j->cell};
-  packing_i_domain_body body = packing_i_domain_body_new(j->body->ops, j->dim);
+  packing_i_domain_body body = packing_i_domain_body_new(&ops, j->dim);
   double box = 1;
-  body.as.custom.signed_distance = distance_to_both;
   body.as.custom.user = &b;
   body.bounds = j->body->bounds;
   for (int k = 0; k < j->dim; k++) {

@@ -5,7 +5,7 @@
  * any plane cuts a ball, and where one across the axis cuts a body of revolution: closed forms
  * (discs.c). Every other section is the integral of its chords (section_chord.c) along u over
  * v, piece by piece between the corners of the section of the bounds and the sides of the disc;
- * what else bends the chords is left to the bisection. A custom container is subdivided in the
+ * what else bends the chords is left to the bisection. A custom container or a mesh is subdivided in the
  * plane (subdivide.c), where its distance changes as slowly as in space. */
 #include "domain_kinds.h"
 #include <float.h>
@@ -174,16 +174,16 @@ static double sum_of_chords(const chords *c, const double lo[2], const double hi
   return sum;
 }
 
-/* A custom container seen in the plane. */
+/* A custom container or a mesh seen in the plane. */
 typedef struct flat {
   const packing_i_domain_body *body;
   const packing_i_plane *plane;
 } flat;
 
-static double distance_in_plane(void *user, const packing_vec3 *point,
-                                packing_vec3 *normal)
+static double distance_in_plane(const packing_i_domain_body *body,
+                                const packing_vec3 *point, packing_vec3 *normal)
 {
-  const flat *f = user;
+  const flat *f = body->as.custom.user;
   packing_vec3 n = {0, 0, 0};
   const packing_vec3 p = at(f->plane, point->x, point->y);
   const double d = f->body->ops->signed_distance(f->body, &p, normal == NULL ? NULL : &n);
@@ -196,13 +196,14 @@ static double distance_in_plane(void *user, const packing_vec3 *point,
 static int subdivided(const chords *c, const double lo[2], const double hi[2],
                       double tolerance, double *area, double *error)
 {
+  static const packing_i_domain_ops ops = {.name = "section",
+                                           .signed_distance = distance_in_plane};
   flat f = {c->body, c->plane};
-  packing_i_domain_body body = packing_i_domain_body_new(c->body->ops, 2);
+  packing_i_domain_body body = packing_i_domain_body_new(&ops, 2);
   const packing_vec3 centre = {c->u, c->v, 0};
   const double size =
       c->r > 0 ? packing_i_ball_volume(2, c->r) : (hi[0] - lo[0]) * (hi[1] - lo[1]);
   const packing_i_tolerance enough = {fmax(tolerance, 1e-4) * size, 0};
-  body.as.custom.signed_distance = distance_in_plane;
   body.as.custom.user = &f;
   body.bounds.lo = packing_i_vec(lo[0], lo[1], 0);
   body.bounds.hi = packing_i_vec(hi[0], hi[1], 0);
