@@ -13,7 +13,8 @@
  *   dA = q dt / 2,  dW = d(atan(t / q) - atan(h t / (q sqrt(h^2 + q^2 + t^2)))),
  * and along the circle of radius R = sqrt(r^2 - h^2)
  *   dA = R^2 dphi / 2,  dW = (1 - h / r) dphi.
- * On the surface, where the cones have no height, the centre is moved inwards by 1e-8 r. */
+ * On the surface, where the cones have no height and edges no side, the centre is moved by some
+ * 1e-8 r, in no direction that meshes are likely to have. */
 #include "mesh/surface_internal.h"
 #include <float.h>
 
@@ -94,17 +95,14 @@ double packing_i_surface_ball(const packing_i_surface *surface,
 {
   static const double least = 1e-8; /* distance from the surface, in radii */
   job j = {.surface = surface, .centre = *centre, .r = r};
-  const packing_i_nearest nearest =
-      packing_i_surface_nearest(surface, centre, HUGE_VAL, 0);
-  int inside = packing_i_surface_is_inside(surface, &nearest);
+  packing_i_nearest nearest = packing_i_surface_nearest(surface, centre, HUGE_VAL, 0);
   const int is_close = nearest.square < least * least * r * r;
   if (is_close) {
-    const packing_vec3 n =
-        packing_i_surface_normal(surface, nearest.facet, nearest.feature);
-    const double by = -2 * least * r / packing_i_norm(n);
-    j.centre = packing_i_add(*centre, packing_i_scale(n, by));
-    inside = 1;
+    const packing_vec3 by = {1.1307 * least * r, 0.5911 * least * r, 1.6715 * least * r};
+    j.centre = packing_i_add(*centre, by);
+    nearest = packing_i_surface_nearest(surface, &j.centre, HUGE_VAL, 0);
   }
+  const int inside = packing_i_surface_is_inside(surface, &nearest);
   const double lo[3] = {j.centre.x - r, j.centre.y - r, j.centre.z - r};
   const double hi[3] = {j.centre.x + r, j.centre.y + r, j.centre.z + r};
   packing_i_mesh_in_box(surface->mesh, lo, hi, add_triangle, &j);
