@@ -89,7 +89,7 @@ static void join(table *t, uint32_t *becomes)
   }
 }
 
-/* Renames corners; with a tolerance triangles that lost one are left out. */
+/* Renames corners; triangles that lost one may be left out. */
 static void rename_corners(packing_mesh *mesh, const uint32_t *becomes, int leave_out)
 {
   size_t kept = 0;
@@ -122,7 +122,7 @@ static void drop_unused(packing_mesh *mesh, uint32_t *number)
 }
 
 packing_status packing_i_mesh_merge(packing_context *context, packing_mesh *mesh,
-                                    double tolerance)
+                                    double tolerance, int leave_out)
 {
   const packing_allocator *allocator = packing_i_allocator(context);
   table t = {.mesh = mesh, .tolerance = tolerance, .mask = 15};
@@ -137,7 +137,7 @@ packing_status packing_i_mesh_merge(packing_context *context, packing_mesh *mesh
     goto out;
   }
   join(&t, becomes);
-  rename_corners(mesh, becomes, tolerance > 0);
+  rename_corners(mesh, becomes, leave_out);
   drop_unused(mesh, becomes);
   if (mesh->triangles == 0)
     status = packing_i_fail(context, PACKING_ERR_GEOMETRY, "merge", PACKING_NO_INDEX,

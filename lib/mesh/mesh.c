@@ -152,7 +152,8 @@ static packing_status fill(packing_context *context, packing_mesh *mesh,
   PACKING_I_TRY(find_unit(context, mesh));
   find_bounds(mesh);
   const packing_vec3 size = packing_i_sub(mesh->bounds.hi, mesh->bounds.lo);
-  PACKING_I_TRY(packing_i_mesh_merge(context, mesh, d->merge * packing_i_norm(size)));
+  PACKING_I_TRY(
+      packing_i_mesh_merge(context, mesh, d->merge * packing_i_norm(size), d->merge > 0));
   find_bounds(mesh);
   find_contents(mesh);
   return packing_i_mesh_grow_tree(context, mesh);

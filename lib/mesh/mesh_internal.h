@@ -69,9 +69,9 @@ static inline packing_vec3 packing_i_mesh_vec(const double x[3])
   return packing_i_vec(x[0], x[1], x[2]);
 }
 
-/* Merges vertices (merge.c): *vertices and *triangles come out smaller. */
+/* Merges vertices and leaves out triangles that lose a corner by it, or not (merge.c). */
 packing_status packing_i_mesh_merge(packing_context *context, packing_mesh *mesh,
-                                    double tolerance);
+                                    double tolerance, int leave_out);
 
 /* The tree (tree.c). */
 packing_status packing_i_mesh_grow_tree(packing_context *context, packing_mesh *mesh);
