@@ -14,8 +14,8 @@ BELOW = {
     "math": {"base"},
     "rng": {"base", "math"},
     "psd": {"base", "math", "rng"},
-    "shape": {"base", "math"},
     "mesh": {"base", "math", "delaunay"},
+    "shape": {"base", "math", "domain"},
     "domain": {"base", "math", "mesh"},
     "particles": {"base", "math"},
     "grid": {"base", "math", "domain", "particles"},
@@ -30,7 +30,8 @@ BELOW = {
 # Public headers named otherwise than their module.
 MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure", "order": "measure",
              "pores": "measure", "porosity": "measure", "sizes": "measure", "readers": "io",
-             "writers": "io"}
+             "writers": "io", "front": "place", "loosen": "place", "tangency": "place",
+             "solids": "domain"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
