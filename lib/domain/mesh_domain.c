@@ -8,8 +8,6 @@
 #include "domain_kinds.h"
 #include "mesh/surface_internal.h"
 
-/* Distances asked for at most: some seconds for the volume, some hundredths for one ball. */
-enum { CALLS_FOR_VOLUME = 1 << 22, CALLS_FOR_BALL = 1 << 18 };
 static const double VOLUME_TOLERANCE = 1e-4; /* of an inset */
 
 static double signed_distance(const packing_i_domain_body *body,
@@ -28,6 +26,17 @@ static double signed_distance(const packing_i_domain_body *body,
     *normal = packing_i_surface_gradient(m->surface, &nearest);
   return (packing_i_surface_is_inside(m->surface, &nearest) ? distance : -distance) -
          m->inset;
+}
+
+/* What the grid knows where that tells the side, else the distance. */
+static double side(const packing_i_domain_body *body, const packing_vec3 *point,
+                   packing_vec3 *normal)
+{
+  const packing_i_meshed *m = &body->as.mesh;
+  const double depth = packing_i_surface_depth(m->surface, point);
+  if (normal == NULL && (depth < 0 || depth > m->inset))
+    return depth - m->inset;
+  return signed_distance(body, point, normal);
 }
 
 static int clear(const packing_i_domain_body *body, const packing_vec3 *point, double r)
@@ -68,25 +77,8 @@ static int near_walls(const packing_i_domain_body *body, const packing_vec3 *poi
 static packing_status inset(packing_context *context, packing_i_domain_body *body,
                             double d)
 {
-  const packing_vec3 nowhere = {0, 0, 0};
-  const packing_i_tolerance tolerance = {0, VOLUME_TOLERANCE};
-  double volume, error;
   body->as.mesh.inset += d;
-  body->volume = 0;
-  for (int k = 0; k < 3; k++) {
-    const double lo = packing_i_component(body->bounds.lo, k) + d;
-    const double hi = packing_i_component(body->bounds.hi, k) - d;
-    if (!(lo < hi))
-      return PACKING_OK;
-    packing_i_set_component(&body->bounds.lo, k, lo);
-    packing_i_set_component(&body->bounds.hi, k, hi);
-  }
-  if (packing_i_subdivide(body, &nowhere, 0, tolerance, CALLS_FOR_VOLUME, &volume,
-                          &error))
-    return packing_i_fail(context, PACKING_ERR_GEOMETRY, "distance", PACKING_NO_INDEX,
-                          "a distance is no number");
-  body->volume = volume;
-  return PACKING_OK;
+  return packing_i_custom_inset(context, body, d, VOLUME_TOLERANCE);
 }
 
 static int sphere_volume(const packing_i_domain_body *body, const packing_vec3 *centre,
@@ -96,7 +88,8 @@ static int sphere_volume(const packing_i_domain_body *body, const packing_vec3 *
   const double ball = packing_i_ball_volume(3, r);
   const packing_i_tolerance enough = {fmax(tolerance, 1e-4) * ball, 0};
   if (m->inset > 0)
-    return packing_i_subdivide(body, centre, r, enough, CALLS_FOR_BALL, volume, error);
+    return packing_i_subdivide_sides(body, centre, r, enough, PACKING_I_CALLS_FOR_BALL,
+                                     volume, error);
   *volume = packing_i_surface_ball(m->surface, centre, r, error);
   return 0;
 }
@@ -120,6 +113,7 @@ static const packing_i_domain_ops mesh_ops = {
     .name = "mesh",
     .reference = "triangles; signs: Baerentzen and Aanaes (2005)",
     .signed_distance = signed_distance,
+    .side = side,
     .holds = holds,
     .clear = clear,
     .near_walls = near_walls,
@@ -171,6 +165,7 @@ packing_status packing_domain_create_mesh(packing_context *context,
   if (report.defect != PACKING_MESH_SOUND)
     return refuse(context, &report);
   PACKING_I_TRY(packing_i_surface_create(context, d.mesh, &body.as.mesh.surface));
+  body.walls = (int)packing_i_surface_walls(body.as.mesh.surface);
   body.volume = packing_mesh_volume(d.mesh);
   packing_mesh_bounds(d.mesh, &body.bounds);
   const packing_status status = packing_i_domain_finish(context, &body, "mesh", domain);

@@ -5,7 +5,7 @@
  * any plane cuts a ball, and where one across the axis cuts a body of revolution: closed forms
  * (discs.c). Every other section is the integral of its chords (section_chord.c) along u over
  * v, piece by piece between the corners of the section of the bounds and the sides of the disc;
- * what else bends the chords is left to the bisection. A custom container or a mesh is subdivided in the
+ * what else bends the chords is left to the bisection. A custom container is subdivided in the
  * plane (subdivide.c), where its distance changes as slowly as in space. */
 #include "domain_kinds.h"
 #include <float.h>
@@ -180,13 +180,15 @@ typedef struct flat {
   const packing_i_plane *plane;
 } flat;
 
-static double distance_in_plane(const packing_i_domain_body *body,
-                                const packing_vec3 *point, packing_vec3 *normal)
+static double distance_in_plane(void *user, const packing_vec3 *point,
+                                packing_vec3 *normal)
 {
-  const flat *f = body->as.custom.user;
+  const flat *f = user;
   packing_vec3 n = {0, 0, 0};
   const packing_vec3 p = at(f->plane, point->x, point->y);
-  const double d = f->body->ops->signed_distance(f->body, &p, normal == NULL ? NULL : &n);
+  const packing_i_domain_ops *ops = f->body->ops;
+  const double d = (ops->side != NULL ? ops->side : ops->signed_distance)(
+      f->body, &p, normal == NULL ? NULL : &n);
   if (normal != NULL)
     *normal = packing_i_vec(packing_i_dot(n, f->plane->u_axis),
                             packing_i_dot(n, f->plane->v_axis), 0);
@@ -196,14 +198,13 @@ static double distance_in_plane(const packing_i_domain_body *body,
 static int subdivided(const chords *c, const double lo[2], const double hi[2],
                       double tolerance, double *area, double *error)
 {
-  static const packing_i_domain_ops ops = {.name = "section",
-                                           .signed_distance = distance_in_plane};
   flat f = {c->body, c->plane};
-  packing_i_domain_body body = packing_i_domain_body_new(&ops, 2);
+  packing_i_domain_body body = packing_i_domain_body_new(&packing_i_custom_ops, 2);
   const packing_vec3 centre = {c->u, c->v, 0};
   const double size =
       c->r > 0 ? packing_i_ball_volume(2, c->r) : (hi[0] - lo[0]) * (hi[1] - lo[1]);
   const packing_i_tolerance enough = {fmax(tolerance, 1e-4) * size, 0};
+  body.as.custom.signed_distance = distance_in_plane;
   body.as.custom.user = &f;
   body.bounds.lo = packing_i_vec(lo[0], lo[1], 0);
   body.bounds.hi = packing_i_vec(hi[0], hi[1], 0);
@@ -235,12 +236,29 @@ static int closed_form(const chords *c, const double lo[2], const double hi[2],
   return 1;
 }
 
+/* The question, for the parts of a combination. */
+typedef struct question {
+  const packing_i_plane *plane;
+  double u, v, r, tolerance;
+} question;
+
+static int ask(const packing_domain *domain, const void *arg, double *area, double *error)
+{
+  const question *q = arg;
+  return packing_i_domain_section_area(domain, q->plane, q->u, q->v, q->r, q->tolerance,
+                                       area, error);
+}
+
 int packing_i_domain_section_area(const packing_domain *domain,
                                   const packing_i_plane *plane, double u, double v,
                                   double r, double tolerance, double *area, double *error)
 {
   double lo[2], hi[2];
   *area = *error = 0;
+  if (packing_i_has_parts(&domain->body)) {
+    const question q = {plane, u, v, r, tolerance};
+    return packing_i_by_parts(domain, ask, &q, area, error);
+  }
   if (!packing_i_domain_section_window(domain, plane, lo, hi))
     return 0;
   if (r > 0 && (u + r <= lo[0] || u - r >= hi[0] || v + r <= lo[1] || v - r >= hi[1]))

@@ -172,19 +172,14 @@ static void search(job *j)
   }
 }
 
-/* The order of walls, and only what is in reach. */
-static int sorted(list *l, double reach,
-                  packing_i_near_feature near[PACKING_I_NEAR_FEATURES])
+/* Only what is in reach. */
+static int give(const list *l, double reach,
+                packing_i_near_feature near[PACKING_I_NEAR_FEATURES])
 {
   int count = 0;
-  for (int i = 0; i < l->count; i++) {
-    if (!(l->item[i].distance < reach))
-      continue;
-    int at = count++;
-    for (; at > 0 && near[at - 1].wall > l->item[i].wall; at--)
-      near[at] = near[at - 1];
-    near[at] = l->item[i];
-  }
+  for (int i = 0; i < l->count; i++)
+    if (l->item[i].distance < reach)
+      near[count++] = l->item[i];
   return count;
 }
 
@@ -208,5 +203,5 @@ int packing_i_surface_near(const packing_i_surface *surface, const packing_vec3 
   const int inside = packing_i_surface_is_inside(surface, &j.nearest);
   if (!inside || sqrt(j.nearest.square) < reach)
     take(&j, &j.nearest); /* whatever roundings made of its neighbours */
-  return sorted(&j.found[inside], reach, near);
+  return give(&j.found[inside], reach, near);
 }

@@ -86,8 +86,14 @@ typedef struct packing_i_near_feature {
 
 enum { PACKING_I_NEAR_FEATURES = 6 };
 
-/* The nearest of those whose distance is below reach, in the order of their walls. Where a point
- * outside has none in reach, the nearest. */
+/* The numbers of walls are below this. */
+static inline size_t packing_i_surface_walls(const packing_i_surface *surface)
+{
+  return surface->mesh->triangles + surface->edges + surface->mesh->vertices;
+}
+
+/* The nearest of those whose distance is below reach, the nearest first. Where a point outside has
+ * none in reach, the nearest. */
 int packing_i_surface_near(const packing_i_surface *surface, const packing_vec3 *point,
                            double reach,
                            packing_i_near_feature near[PACKING_I_NEAR_FEATURES]);
