@@ -214,6 +214,7 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
   } else {
     p->kernels->interval(curve, halo, j, k, start, p->cap_r, p->slack, interval);
   }
+  interval->exit[0] = fmin(interval->exit[0], p->most_r);
   return interval->exit[0] >= interval->lo && interval->exit[0] >= p->min_r &&
          interval->lo <= p->max_r;
 }

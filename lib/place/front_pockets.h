@@ -129,6 +129,7 @@ typedef struct packing_i_pockets {
   /* lengths */
   double min_r, max_r, mean_r, reference_r, cap_r;
   double body_r; /* largest radius there is or may be */
+  double most_r; /* half the shortest period: larger ones meet themselves */
   double slack;  /* of rooms, in area */
   double touch;  /* overlap that is rounding */
   int curved;    /* walls are not flat */
