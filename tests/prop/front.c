@@ -210,9 +210,8 @@ static void in_periodic_cells(void **state)
         for (int way = 0; way < 4; way++)
           for (size_t s = 0; s < 2; s++) {
             const double l = 2 * edge[e];
-            packing_domain *domain =
-                dim == 2 ? test_rectangle(l, 1.07 * l, periodic)
-                         : test_box(l, 1.07 * l, 1.13 * l, periodic);
+            packing_domain *domain = dim == 2 ? test_rectangle(l, 1.07 * l, periodic)
+                                              : test_box(l, 1.07 * l, 1.13 * l, periodic);
             packing_psd *psd = s == 0 ? test_mono(1) : test_uniform(0.6, 1);
             packing_particles *store = test_store(dim);
             const packing_placer_report report =
@@ -282,9 +281,8 @@ static void in_thin_containers(void **state)
       packing_domain *domain = scene_make(&thin[k]);
       packing_psd *psd = test_mono(1);
       packing_particles *store = test_store(packing_domain_dim(domain));
-      const packing_placer_report report =
-          fill(domain, psd, pocket_modes[way & 1], (packing_front_direction)(way >> 1),
-               store);
+      const packing_placer_report report = fill(
+          domain, psd, pocket_modes[way & 1], (packing_front_direction)(way >> 1), store);
       if (report.placed < least[k])
         print_message("thin %zu way %d: %zu\n", k, way, report.placed);
       assert_true(report.placed >= least[k]);

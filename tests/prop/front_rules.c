@@ -21,8 +21,7 @@ static void counts(void **state)
         packing_front_def def = pocket_def(pocket_modes[way & 1]);
         def.direction = (packing_front_direction)(way >> 1);
         def.count = asked[n];
-        const packing_placer_report report =
-            pocket_pack(NULL, &def, domain, psd, store);
+        const packing_placer_report report = pocket_pack(NULL, &def, domain, psd, store);
         assert_int_equal(report.state, PACKING_PLACER_DONE);
         assert_int_equal(report.placed, asked[n]);
         assert_int_equal(report.unplaced, 0);
@@ -52,8 +51,7 @@ static void volume_fractions(void **state)
         packing_front_def def = pocket_def(pocket_modes[way & 1]);
         def.direction = (packing_front_direction)(way >> 1);
         def.volume_fraction = asked[n];
-        const packing_placer_report report =
-            pocket_pack(NULL, &def, domain, psd, store);
+        const packing_placer_report report = pocket_pack(NULL, &def, domain, psd, store);
         const double volume = dim == 2 ? 8100 : 8000;
         const double half =
             0.5 * (dim == 2 ? TEST_PI * 1.69 : 4.0 / 3.0 * TEST_PI * 2.197);
@@ -138,7 +136,8 @@ static void obstacles(void **state)
 {
   (void)state;
   for (int dim = 2; dim <= 3; dim++)
-    for (unsigned periodic = 0; periodic < (dim == 2 ? 4U : 8U); periodic += 3 - periodic % 2)
+    for (unsigned periodic = 0; periodic < (dim == 2 ? 4U : 8U);
+         periodic += 3 - periodic % 2)
       for (unsigned which = 1; which < 64; which = 2 * which + which % 3)
         for (int way = 0; way < 4; way++) {
           packing_domain *domain = dim == 2 ? test_rectangle(14, 14, periodic)
@@ -324,8 +323,8 @@ static void exact_lists(void **state)
       assert_int_equal(missing, 0);
     else
       assert_true(missing > 20);
-    assert_int_equal(report.state, missing == 0 ? PACKING_PLACER_DONE
-                                                : PACKING_PLACER_SATURATED);
+    assert_int_equal(report.state,
+                     missing == 0 ? PACKING_PLACER_DONE : PACKING_PLACER_SATURATED);
     packing_particles_destroy(store);
   }
   packing_domain_destroy(wide);
@@ -351,7 +350,8 @@ static double kolmogorov(const packing_psd *psd, packing_particles *store)
   double most = 0;
   for (size_t i = 0; i < n; i++) {
     const double cdf = packing_psd_cdf(psd, PACKING_BY_NUMBER, r[i]);
-    most = fmax(most, fmax(cdf - (double)i / (double)n, (double)(i + 1) / (double)n - cdf));
+    most =
+        fmax(most, fmax(cdf - (double)i / (double)n, (double)(i + 1) / (double)n - cdf));
   }
   free(r);
   return most * sqrt((double)n);
