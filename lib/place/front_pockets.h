@@ -97,10 +97,12 @@ typedef struct packing_i_front_lane {
   size_t heap_count, heap_room;
   packing_i_front_placed *placed;
   size_t placed_count, placed_room;
+  size_t collected; /* of them, taken over already */
   size_t particles; /* of them, images not counted */
   double volume;    /* theirs */
   uint32_t *outbox; /* new pockets at home in other tiles */
   size_t outbox_count, outbox_room;
+  size_t delivered;   /* of them, brought home already */
   size_t quota;       /* this round */
   double volume_left; /* this round; infinite: no limit */
   uint32_t at_work;   /* the tile being worked on */
@@ -145,6 +147,7 @@ typedef struct packing_i_pockets {
   int idle_colours; /* in a row, of this level */
   int colours;
   size_t active;  /* lanes at work in this round */
+  int owed;       /* what the lanes did is not taken over yet */
   uint32_t *live; /* tiles with pockets */
   size_t live_count, live_room;
 
