@@ -218,6 +218,7 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
   for (int e = 0; e < 3 && most > seen; e++)
     if (interval->exit[e] > seen) /* not all of what could be met was looked at */
       interval->exit[e] = HUGE_VAL;
+  interval->exit[0] = fmin(interval->exit[0], p->most_r);
   return interval->exit[0] >= interval->lo && interval->exit[0] >= p->min_r &&
          interval->lo <= most;
 }

@@ -196,6 +196,7 @@ static int renew(packing_i_pockets *p, packing_i_front_lane *lane,
     return 0;
   p->kernels->interval(&pocket->curve, halo, own[0], own[1], start, p->cap * most,
                        p->slack, &interval);
+  interval.exit[0] = fmin(interval.exit[0], p->most_r);
   pocket->lo = interval.lo;
   memcpy(pocket->exit, interval.exit, sizeof pocket->exit);
   packing_i_pocket_measure(p, pocket);
@@ -239,7 +240,9 @@ int packing_i_pocket_fill(packing_i_pockets *p, packing_i_front_lane *lane, uint
   packing_vec3 centre = packing_i_add(owner, c);
   if (p->dim == 2)
     centre.z = 0;
-  if (!within(p, tile, &centre)) {
+  /* The zone is that of the reference radius; another has other sizes. */
+  if (!within(p, tile, &centre) ||
+      packing_i_source_zone(lane->source, &centre) != pocket->zone) {
     packing_i_pocket_kill(p, id);
     return 1;
   }

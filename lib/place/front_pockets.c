@@ -22,6 +22,10 @@ static void set_lengths(packing_i_pockets *p)
   p->max_r = packing_i_source_max_r(source);
   p->mean_r = packing_i_source_moment(source, 1);
   p->body_r = p->max_r;
+  p->most_r = HUGE_VAL;
+  for (int axis = 0; axis < 3; axis++)
+    if (p->periodic >> axis & 1U)
+      p->most_r = fmin(p->most_r, 0.5 * packing_i_component(p->period, axis));
   for (size_t i = 0; i < store->count; i++)
     p->body_r = fmax(p->body_r, store->r[i]);
   p->equal = !(p->max_r > p->min_r);
@@ -181,7 +185,7 @@ packing_status packing_i_front_pockets_start(packing_placer *placer,
   p->period = p->domain->body.period;
   p->open_axis = p->domain->body.open_axis;
   p->curved = packing_i_domain_planar(p->domain) == NULL;
-  p->inward = def->direction == PACKING_FRONT_INWARD;
+  p->inward = def->direction == PACKING_FRONT_INWARD && isfinite(head->room);
   set_lengths(p);
   set_weights(p, def);
   placer->method = p;
@@ -223,6 +227,10 @@ static packing_status step(packing_placer *placer, size_t budget)
       tally->unplaced = packing_i_source_unplaced(p->front.source);
       if (p->front.count == 0 && p->front.solid_volume == 0 && tally->unplaced == 0)
         tally->state = PACKING_PLACER_DONE;
+      if (!packing_i_front_wants(&p->front, tally,
+                                 packing_i_ball_volume(p->dim, p->min_r)))
+        tally->state =
+            PACKING_PLACER_DONE; /* the goal is met, or below half a particle */
     }
   }
   tally->progress = packing_i_front_progress(&p->front, placer);

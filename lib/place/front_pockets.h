@@ -132,6 +132,7 @@ typedef struct packing_i_pockets {
   double min_r, max_r, mean_r, reference_r;
   double cap;    /* exits count up to this times the largest radius of the pocket [1] */
   double body_r; /* largest radius there is or may be */
+  double most_r; /* half the shortest period: larger ones meet themselves */
   double slack;  /* of rooms, in area */
   double touch;  /* overlap that is rounding */
   int curved;    /* walls are not flat */
