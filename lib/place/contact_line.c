@@ -41,25 +41,37 @@ typedef struct rails {
   double slack;
 } rails;
 
-/* Returns 0 where there is no such wall. */
-static int rails_at(const packing_contact_task *task, packing_vec3 mean, rails *r)
+/* The walls as they are seen from a point. */
+static rails rails_at(const packing_contact_task *task, packing_vec3 mean,
+                      packing_vec3 from)
 {
+  rails r = {.count = 0};
   packing_body mobile = task->mobile;
-  mobile.centre = mean;
-  r->count = 0;
+  mobile.centre = from;
   const double rounding = 16 * DBL_EPSILON * packing_i_touch_extent(task);
-  r->slack = 0x1p-40 * mobile.r > rounding ? 0x1p-40 * mobile.r : rounding;
+  r.slack = 0x1p-40 * mobile.r > rounding ? 0x1p-40 * mobile.r : rounding;
   for (int i = 0; i < task->dim; i++) {
-    if (task->fixed[i].domain == NULL)
+    const packing_body *wall = &task->fixed[i];
+    if (wall->domain == NULL)
       continue;
-    const int k = r->count++;
-    r->wall[k] = &task->fixed[i];
-    r->wanted[k] = r->slack - packing_body_wall_gap(&mobile, r->wall[k]->domain,
-                                                    r->wall[k]->wall, &r->normal[k]);
-    if (!isfinite(r->wanted[k]))
-      return 0;
+    packing_vec3 *normal = &r.normal[r.count];
+    const double gap = packing_body_wall_gap(&mobile, wall->domain, wall->wall, normal);
+    const double moved = packing_i_dot(*normal, packing_i_sub(mean, from));
+    r.wanted[r.count] = r.slack - (gap + moved);
+    r.wall[r.count++] = wall;
   }
-  return 1;
+  return r;
+}
+
+/* From the first particle to body `index`, or into that wall. */
+static packing_vec3 way_to(const packing_contact_task *task, int index, const rails *r)
+{
+  if (index == 2 && task->dim == 2)
+    return packing_i_vec(0, 0, 1);
+  const packing_body *body = &task->fixed[index];
+  if (body->domain == NULL)
+    return packing_i_sub(body->centre, task->fixed[packing_i_touch_first(task)].centre);
+  return packing_i_scale(r->normal[r->count == 2 && r->wall[1] == body], -1);
 }
 
 /* The shortest way that goes as far along each normal as is wanted. */
@@ -138,20 +150,16 @@ int packing_i_touch_line_of(const packing_contact_task *task, int side,
 {
   double largest;
   const packing_vec3 mean = mean_of_particles(task, &largest);
-  const int first = packing_i_touch_first(task);
-  const packing_vec3 from = task->fixed[first].centre;
-  rails r;
-  if (!rails_at(task, mean, &r))
+  packing_vec3 from = mean;
+  if (!packing_i_touch_view(task, &from))
     return 0;
-  packing_vec3 way[2];
-  for (int k = 0; k < 2; k++) {
-    const int index = (first + 1 + k) % 3;
-    const int wall = index < task->dim && task->fixed[index].domain != NULL;
-    way[k] = packing_i_touch_towards(task, index, wall ? mean : from);
-  }
-  const packing_vec3 normal = packing_i_cross(way[0], way[1]);
+  const rails r = rails_at(task, mean, from);
+  const int first = packing_i_touch_first(task);
+  const packing_vec3 one = way_to(task, (first + 1) % 3, &r),
+                     two = way_to(task, (first + 2) % 3, &r);
+  const packing_vec3 normal = packing_i_cross(one, two);
   const double length = packing_i_norm(normal);
-  if (!(length > 1e-9 * packing_i_norm(way[0]) * packing_i_norm(way[1])))
+  if (!(length > 1e-9 * packing_i_norm(one) * packing_i_norm(two)))
     return 0;
   line->along = packing_i_scale(normal, side / length);
   set_length(task, mean, &r, 2 * largest, line);

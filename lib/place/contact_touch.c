@@ -40,19 +40,29 @@ int packing_i_touch_has_walls(const packing_contact_task *task)
   return 0;
 }
 
-packing_vec3 packing_i_touch_towards(const packing_contact_task *task, int index,
-                                     packing_vec3 from)
+static int sees_walls(const packing_contact_task *task, packing_vec3 from)
 {
-  if (index == 2 && task->dim == 2)
-    return packing_i_vec(0, 0, 1);
-  const packing_body *body = &task->fixed[index];
-  if (body->domain == NULL)
-    return packing_i_sub(body->centre, from);
   packing_body mobile = task->mobile;
-  packing_vec3 normal;
   mobile.centre = from;
-  packing_body_wall_gap(&mobile, body->domain, body->wall, &normal);
-  return packing_i_scale(normal, -1);
+  for (int i = 0; i < task->dim; i++) {
+    const packing_body *body = &task->fixed[i];
+    if (body->domain != NULL &&
+        !isfinite(packing_body_wall_gap(&mobile, body->domain, body->wall, NULL)))
+      return 0;
+  }
+  return 1;
+}
+
+int packing_i_touch_view(const packing_contact_task *task, packing_vec3 *from)
+{
+  if (sees_walls(task, *from))
+    return 1;
+  for (int i = 0; i < task->dim; i++) {
+    *from = task->fixed[i].centre;
+    if (task->fixed[i].domain == NULL && sees_walls(task, *from))
+      return 1;
+  }
+  return 0;
 }
 
 static double size_of(packing_vec3 v)
@@ -145,6 +155,7 @@ void packing_i_touch_at(const packing_contact_task *task, packing_vec3 x,
 {
   packing_body mobile = task->mobile;
   mobile.centre = x;
+  touch->normal[0] = touch->normal[1] = packing_i_vec(0, 0, 0);
   touch->normal[2] = packing_i_vec(0, 0, 1);
   touch->gap[2] = 0;
   touch->worst = 0;

@@ -99,7 +99,10 @@ static int place_at_walls(const packing_contact_task *task, int side,
                           packing_vec3 *centre)
 {
   const view v = view_of(task);
-  packing_vec3 at = {0, 0, 0};
+  packing_vec3 from = v.sphere->centre;
+  if (!packing_i_touch_view(task, &from))
+    return 0;
+  packing_vec3 at = packing_i_sub(from, v.sphere->centre);
   const double step = 1e-3 * task->mobile.r;
   for (int i = 0; i < LINEARISATIONS; i++) {
     packing_i_front_body body[2];

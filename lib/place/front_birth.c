@@ -17,8 +17,9 @@ static double narrowness(double top, double square, double distance)
   return top / (sqrt(square) * distance);
 }
 
-static void cap_set(packing_i_front_caps *caps, size_t n, const packing_i_front_halo *halo,
-                    size_t t, const packing_i_pockets *p)
+static void cap_set(packing_i_front_caps *caps, size_t n,
+                    const packing_i_front_halo *halo, size_t t,
+                    const packing_i_pockets *p)
 {
   const double square =
       halo->x[t] * halo->x[t] + halo->y[t] * halo->y[t] + halo->z[t] * halo->z[t];
@@ -28,22 +29,10 @@ static void cap_set(packing_i_front_caps *caps, size_t n, const packing_i_front_
   caps->z[n] = halo->z[t];
   caps->square[n] = square;
   caps->top[n] = halo->a[t] + halo->b[t] * p->reference_r;
-  caps->room[n] = caps->top[n] + (wall && p->curved ? p->mean_r * p->mean_r * 0.1
-                                                    : p->slack);
+  caps->room[n] =
+      caps->top[n] + (wall && p->curved ? p->mean_r * p->mean_r * 0.1 : p->slack);
   caps->reach[n] = halo->r[t] + p->reference_r;
   caps->halo[n] = (uint32_t)t;
-}
-
-static void cap_copy(packing_i_front_caps *caps, size_t to, size_t from)
-{
-  caps->x[to] = caps->x[from];
-  caps->y[to] = caps->y[from];
-  caps->z[to] = caps->z[from];
-  caps->square[to] = caps->square[from];
-  caps->top[to] = caps->top[from];
-  caps->room[to] = caps->room[from];
-  caps->reach[to] = caps->reach[from];
-  caps->halo[to] = caps->halo[from];
 }
 
 /* The bodies that a particle of the reference radius can touch beside the sphere, widest cap
@@ -54,26 +43,29 @@ static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, 
   packing_i_front_caps *caps = &lane->caps;
   const double distance = r + p->reference_r;
   double *narrow = lane->curves.room; /* not in use here */
-  caps->count = 0;
-  for (size_t t = 0; t < halo->count && caps->count + 1 < lane->curve_room; t++) {
+  uint32_t *order = lane->curve_pocket;
+  size_t count = 0;
+  for (size_t t = 0; t < halo->count && count + 1 < lane->curve_room; t++) {
     const double square =
         halo->x[t] * halo->x[t] + halo->y[t] * halo->y[t] + halo->z[t] * halo->z[t];
     const double top = halo->a[t] + halo->b[t] * p->reference_r;
     if (!(top * top <= square * distance * distance))
       continue;
     /* In two dimensions every triple has the plane: it comes first. */
-    const double cosine =
-        halo->id[t] == (PACKING_I_FRONT_WALL | PACKING_I_FRONT_PLANE)
-            ? -2
-            : narrowness(top, square, distance);
-    size_t n = caps->count++;
+    const double cosine = halo->id[t] == (PACKING_I_FRONT_WALL | PACKING_I_FRONT_PLANE)
+                              ? -2
+                              : narrowness(top, square, distance);
+    size_t n = count++;
     for (; n > 0 && narrow[n - 1] > cosine; n--) {
-      cap_copy(caps, n, n - 1);
       narrow[n] = narrow[n - 1];
+      order[n] = order[n - 1];
     }
-    cap_set(caps, n, halo, t, p);
     narrow[n] = cosine;
+    order[n] = (uint32_t)t;
   }
+  for (size_t n = 0; n < count; n++)
+    cap_set(caps, n, halo, order[n], p);
+  caps->count = count;
 }
 
 /* ---- one candidate ---- */
@@ -94,8 +86,9 @@ static packing_i_front_body halo_body(const packing_i_front_halo *halo, size_t t
 }
 
 /* Moves wall bodies to the candidate c and solves again. 0: it runs away. */
-static int settle_walls(const birth *b, const uint32_t id[2], packing_i_front_body body[2],
-                        int side, packing_i_front_curve *curve, packing_vec3 *c)
+static int settle_walls(const birth *b, const uint32_t id[2],
+                        packing_i_front_body body[2], int side,
+                        packing_i_front_curve *curve, packing_vec3 *c)
 {
   const packing_i_pockets *p = b->p;
   for (int turn = 0; turn < 20; turn++) {
@@ -133,8 +126,15 @@ static uint32_t tile_of(const packing_i_front_grid *grid, uint32_t tile,
   const packing_i_front_tile *t = grid->tile + tile;
   const double x = (c->x - t->lo.x) / grid->edge.x, y = (c->y - t->lo.y) / grid->edge.y,
                z = (c->z - t->lo.z) / grid->edge.z;
-  const int nx = x < 0 ? 0 : x < 1 ? 1 : 2, ny = y < 0 ? 0 : y < 1 ? 1 : 2,
-            nz = z < 0 ? 0 : z < 1 ? 1 : 2;
+  const int nx = x < 0   ? 0
+                 : x < 1 ? 1
+                         : 2,
+            ny = y < 0   ? 0
+                 : y < 1 ? 1
+                         : 2,
+            nz = z < 0   ? 0
+                 : z < 1 ? 1
+                         : 2;
   return t->around[(nz * 3 + ny) * 3 + nx];
 }
 
@@ -146,7 +146,7 @@ static void keep(const birth *b, const packing_i_pocket *pocket, uint32_t home)
       (home != lane->at_work && lane->outbox_count == lane->outbox_room))
     return;
   const uint32_t id = lane->free_pocket;
-  packing_i_pocket *q = p->pocket + id;
+  packing_i_pocket *q = packing_i_pocket_at(p, id);
   const uint32_t version = q->version;
   lane->free_pocket = q->next;
   lane->free_pockets--;
@@ -205,14 +205,14 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
       if (walls.id[t] == id[1])
         k = t;
     }
-    p->kernels->interval(curve, &walls, j, k, start, p->slack, interval);
+    p->kernels->interval(curve, &walls, j, k, start, p->cap_r, p->slack, interval);
     for (size_t n = 0; n < held; n++) {
       for (int f = 0; f < 6; f++)
         column[f][spheres + n] = saved[f][n];
       halo->id[spheres + n] = saved_id[n];
     }
   } else {
-    p->kernels->interval(curve, halo, j, k, start, p->slack, interval);
+    p->kernels->interval(curve, halo, j, k, start, p->cap_r, p->slack, interval);
   }
   return interval->exit[0] >= interval->lo && interval->exit[0] >= p->min_r &&
          interval->lo <= p->max_r;
@@ -256,7 +256,44 @@ static void try_candidate(const birth *b, size_t n)
   pocket.alive = 1;
   pocket.zone = (uint16_t)packing_i_source_zone(lane->source, &at);
   pocket.walls = (uint8_t)packing_i_front_is_wall(halo->id[halo->count - 1]);
+  packing_i_pocket_measure(p, &pocket);
   keep(b, &pocket, tile_of(&p->grid, b->tile, &at));
+}
+
+/* Where only so many pockets of a sphere are wanted: brings the candidates that are lowest in the
+ * order of growth to the front. Returns how many to try. */
+static size_t keep_lowest(const birth *b)
+{
+  packing_i_front_candidates *c = &b->lane->candidates;
+  const size_t wanted = b->p->litter;
+  if (c->count <= wanted)
+    return c->count;
+  double *key = b->lane->curves.room; /* not in use here */
+  const size_t count = c->count < b->lane->curve_room ? c->count : b->lane->curve_room;
+  for (size_t n = 0; n < count; n++) {
+    const packing_vec3 at =
+        packing_i_add(b->centre, packing_i_vec(c->x[n], c->y[n], c->z[n]));
+    key[n] = packing_i_front_key(b->p, &at);
+  }
+  for (size_t n = 0; n < wanted; n++) {
+    size_t least = n;
+    for (size_t m = n + 1; m < count; m++)
+      if (key[m] < key[least])
+        least = m;
+    const double k = key[n], x = c->x[n], y = c->y[n], z = c->z[n];
+    const uint32_t pair = c->pair[n];
+    key[n] = key[least];
+    c->x[n] = c->x[least];
+    c->y[n] = c->y[least];
+    c->z[n] = c->z[least];
+    c->pair[n] = c->pair[least];
+    key[least] = k;
+    c->x[least] = x;
+    c->y[least] = y;
+    c->z[least] = z;
+    c->pair[least] = pair;
+  }
+  return wanted;
 }
 
 void packing_i_pockets_born(packing_i_pockets *p, packing_i_front_lane *lane,
@@ -289,6 +326,7 @@ void packing_i_pockets_born(packing_i_pockets *p, packing_i_front_lane *lane,
     p->kernels->pairs(&lane->caps, first, r + p->reference_r, candidates);
   }
   p->kernels->sieve(&lane->caps, candidates);
-  for (size_t n = 0; n < candidates->count; n++)
+  const size_t kept = keep_lowest(&b);
+  for (size_t n = 0; n < kept; n++)
     try_candidate(&b, n);
 }

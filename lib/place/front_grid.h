@@ -15,7 +15,8 @@ enum {
   PACKING_I_TILE_CELLS = PACKING_I_TILE_EDGE * PACKING_I_TILE_EDGE * PACKING_I_TILE_EDGE,
   PACKING_I_TILE_AROUND = 27, /* a tile and its neighbours; 13 is itself */
   PACKING_I_TILE_ITSELF = 13,
-  PACKING_I_LIST_LENGTH = 62
+  PACKING_I_LIST_LENGTH = 62,
+  PACKING_I_BIN_CHUNK = 2048
 };
 
 /* Indices of particles of a tile. */
@@ -25,32 +26,32 @@ typedef struct packing_i_front_list {
 } packing_i_front_list;
 
 typedef struct packing_i_front_tile {
-  int64_t at[3];   /* in tiles */
-  packing_vec3 lo; /* its lowest corner */
-  uint32_t cell[PACKING_I_TILE_CELLS];     /* first bin; 0: empty */
-  uint32_t around[PACKING_I_TILE_AROUND];  /* tiles; 0: not made yet */
-  uint32_t list;                           /* first list of indices */
-  uint32_t pockets;                        /* first pocket at home here; 0: none */
-  double next_key;                         /* no pocket with work has a smaller one */
-  int resident;                            /* the cells are filled */
-  int pinned;                              /* holds periodic images: never emptied */
-  int live;                                /* in the list of tiles with pockets */
-  int surrounded;                          /* all tiles around are made */
-  int judged; /* `clear` is known */
+  int64_t at[3];                          /* in tiles */
+  packing_vec3 lo;                        /* its lowest corner */
+  uint32_t cell[PACKING_I_TILE_CELLS];    /* first bin; 0: empty */
+  uint32_t around[PACKING_I_TILE_AROUND]; /* tiles; 0: not made yet */
+  uint32_t list;                          /* first list of indices */
+  uint32_t pockets;                       /* first pocket at home here; 0: none */
+  double next_key;                        /* no pocket with work has a smaller one */
+  int resident;                           /* the cells are filled */
+  int pinned;                             /* holds periodic images: never emptied */
+  int live;                               /* in the list of tiles with pockets */
+  int surrounded;                         /* all tiles around are made */
+  int judged;                             /* `clear` is known */
   int clear; /* no wall is within reach of any sphere that starts here */
 } packing_i_front_tile;
 
 typedef struct packing_i_front_grid {
   const packing_allocator *allocator;
   packing_vec3 origin;
-  packing_vec3 edge;     /* of a tile [L] */
-  packing_vec3 per_edge; /* cells over length */
+  packing_vec3 edge;          /* of a tile [L] */
+  packing_vec3 per_edge;      /* cells over length */
   packing_i_front_tile *tile; /* [0] is none */
   size_t tiles, tile_room;
   uint32_t *slot; /* hash table of tiles */
   size_t slots;
-  packing_i_front_bin *bin; /* [0] is none */
-  size_t bins, bin_room;
+  packing_i_front_bin **chunk; /* bins, so many in each; bin 0 is none */
+  size_t chunks, chunk_room;
   uint32_t free_bin;
   packing_i_front_list *list; /* [0] is none */
   size_t lists, list_room;
@@ -74,8 +75,8 @@ uint32_t packing_i_front_tile_at(packing_i_front_grid *grid, const int64_t at[3]
 /* The same for all tiles around one. */
 packing_status packing_i_front_tile_surround(packing_i_front_grid *grid, uint32_t tile);
 
-/* Room for `count` more bins beyond those on the free list; 0: out of memory. */
-int packing_i_front_grid_reserve_bins(packing_i_front_grid *grid, size_t count);
+/* A chunk of bins for the free list; 0: out of memory. */
+int packing_i_front_grid_reserve_bins(packing_i_front_grid *grid);
 
 /* Notes a particle of the store in the list of the tile. */
 packing_status packing_i_front_tile_note(packing_i_front_grid *grid, uint32_t tile,
@@ -93,12 +94,18 @@ packing_status packing_i_front_tile_fill(packing_i_front_grid *grid, uint32_t ti
 /* Gives the bins of a tile back. */
 void packing_i_front_tile_empty(packing_i_front_grid *grid, uint32_t tile);
 
+static inline packing_i_front_bin *
+packing_i_front_bin_at(const packing_i_front_grid *grid, uint32_t bin)
+{
+  return grid->chunk[bin / PACKING_I_BIN_CHUNK] + bin % PACKING_I_BIN_CHUNK;
+}
+
 /* A sphere's record by its place. */
-static inline packing_i_front_bin *packing_i_front_bin_of(const packing_i_front_grid *grid,
-                                                          uint32_t place, unsigned *lane)
+static inline packing_i_front_bin *
+packing_i_front_bin_of(const packing_i_front_grid *grid, uint32_t place, unsigned *lane)
 {
   *lane = place % PACKING_I_FRONT_WIDTH;
-  return grid->bin + place / PACKING_I_FRONT_WIDTH;
+  return packing_i_front_bin_at(grid, place / PACKING_I_FRONT_WIDTH);
 }
 
 static inline packing_vec3 packing_i_front_centre(const packing_i_front_grid *grid,

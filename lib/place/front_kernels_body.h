@@ -11,8 +11,7 @@ typedef packing_i_front_vector vector;
 typedef packing_i_front_mask mask;
 
 #define WIDTH PACKING_I_FRONT_WIDTH
-#define ALL(a)                                                                           \
-  ((vector){(a), (a), (a), (a), (a), (a), (a), (a)})
+#define ALL(a) ((vector){(a), (a), (a), (a), (a), (a), (a), (a)})
 #define LOAD(p) (*(const vector *)(const void *)(p))
 #define STORE(p, v) (*(vector *)(void *)(p) = (v))
 /* Where the mask says so a, else b. */
@@ -32,6 +31,8 @@ TARGET static void gather(const packing_i_front_bin *bin, uint32_t place,
   const mask within = x * x + y * y + z * z <= far * far;
   unsigned bits = mask_bits(&within);
   size_t n = halo->count;
+  if (bits != 0)
+    __builtin_prefetch(bin->pockets); /* they are asked for next */
   for (; bits != 0; bits &= bits - 1, n++) {
     const unsigned k = (unsigned)__builtin_ctz(bits);
     halo->x[n] = bin->x[k] - centre->x;
@@ -49,8 +50,7 @@ TARGET static void bodies(packing_i_front_halo *halo, size_t count, double spher
   for (size_t t = 0; t < count; t += WIDTH) {
     const vector x = LOAD(halo->x + t), y = LOAD(halo->y + t), z = LOAD(halo->z + t),
                  r = LOAD(halo->r + t);
-    STORE(halo->a + t,
-          ALL(0.5) * ((x * x + y * y + z * z) + (own - r) * (own + r)));
+    STORE(halo->a + t, ALL(0.5) * ((x * x + y * y + z * z) + (own - r) * (own + r)));
     STORE(halo->b + t, own - r);
   }
 }
@@ -74,16 +74,16 @@ TARGET static void pairs(const packing_i_front_caps *caps, size_t first, double 
     const vector pq = px * qx + py * qy + pz * qz;
     const vector nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
     const vector det = nx * nx + ny * ny + nz * nz;
-    const vector u = (qq * ptop - pq * qtop) / det, v = (pp * qtop - pq * ptop) / det;
+    const vector over = ALL(1.0) / det;
+    const vector u = (qq * ptop - pq * qtop) * over, v = (pp * qtop - pq * ptop) * over;
     const vector cx = u * px + v * qx, cy = u * py + v * qy, cz = u * pz + v * qz;
     const vector left = d2 - (cx * cx + cy * cy + cz * cz);
-    vector w = MAX(left, zero) / det;
+    vector w = MAX(left, zero) * over;
     take_root(&w);
     const vector number = lanes + ALL((double)t);
-    const mask meets =
-        (dx * dx + dy * dy + dz * dz <= reach * reach) & (left >= zero) &
-        (det > ALL(1e-9) * pp * qq) & (number > ALL((double)first)) &
-        (number < ALL((double)caps->count));
+    const mask meets = (dx * dx + dy * dy + dz * dz <= reach * reach) & (left >= zero) &
+                       (det > ALL(1e-9) * pp * qq) & (number > ALL((double)first)) &
+                       (number < ALL((double)caps->count));
     unsigned bits = mask_bits(&meets);
     STORE(out[0], cx + w * nx);
     STORE(out[1], cy + w * ny);
@@ -148,11 +148,9 @@ TARGET static inline void exits(const vector *room, const vector s2[3], const ve
   vector one = sum / q2, two = q0 / sum;
   const vector above = *r * ALL(1 + 1e-12);
   const mask real = discriminant >= zero;
-  const mask is_one = real & (one > above) & (one < none) &
-                      ((u + v * one) * w >= zero) &
+  const mask is_one = real & (one > above) & (one < none) & ((u + v * one) * w >= zero) &
                       (s2[0] + one * (s2[1] + one * s2[2]) >= zero);
-  const mask is_two = real & (two > above) & (two < none) &
-                      ((u + v * two) * w >= zero) &
+  const mask is_two = real & (two > above) & (two < none) & ((u + v * two) * w >= zero) &
                       (s2[0] + two * (s2[1] + two * s2[2]) >= zero);
   one = SELECT(is_one, one, none);
   two = SELECT(is_two, two, none);
@@ -180,26 +178,42 @@ static inline void meet(packing_i_front_interval *interval, double r)
 
 TARGET static void interval(const packing_i_front_curve *curve,
                             const packing_i_front_halo *halo, size_t j, size_t k,
-                            double r, double slack, packing_i_front_interval *result)
+                            double r, double cap, double slack,
+                            packing_i_front_interval *result)
 {
   const vector none = ALL(HUGE_VAL), start = ALL(r);
   const vector s2[3] = {ALL(curve->s2[0]), ALL(curve->s2[1]), ALL(curve->s2[2])};
   const double height2 = curve->s2[0] + r * (curve->s2[1] + r * curve->s2[2]);
   const vector s = ALL(height2 > 0 ? sqrt(height2) : 0);
+  const double cap2 = curve->s2[0] + cap * (curve->s2[1] + cap * curve->s2[2]);
+  const double top2 =
+      curve->s2[2] < 0 && -0.5 * curve->s2[1] / curve->s2[2] < cap
+          ? curve->s2[0] - 0.25 * curve->s2[1] * curve->s2[1] / curve->s2[2]
+          : cap2;
+  const vector most = ALL(sqrt(top2 > height2 ? top2
+                               : height2 > 0  ? height2
+                                              : 0)),
+               end = ALL(cap);
   vector lo = start, e0 = none, e1 = none, e2 = none;
   for (size_t t = 0; t < halo->count; t += WIDTH) {
     const vector x = LOAD(halo->x + t), y = LOAD(halo->y + t), z = LOAD(halo->z + t);
-    const vector u = LOAD(halo->a + t) - (ALL(curve->base.x) * x +
-                                          ALL(curve->base.y) * y + ALL(curve->base.z) * z);
+    const vector u =
+        LOAD(halo->a + t) -
+        (ALL(curve->base.x) * x + ALL(curve->base.y) * y + ALL(curve->base.z) * z);
     const vector v =
-        LOAD(halo->b + t) - (ALL(curve->slope.x) * x + ALL(curve->slope.y) * y +
-                             ALL(curve->slope.z) * z);
+        LOAD(halo->b + t) -
+        (ALL(curve->slope.x) * x + ALL(curve->slope.y) * y + ALL(curve->slope.z) * z);
     const vector w =
         ALL(curve->side.x) * x + ALL(curve->side.y) * y + ALL(curve->side.z) * z;
     const vector room = u + v * start - w * s;
     const vector number = lanes + ALL((double)t);
     const mask other = (number < ALL((double)halo->count)) & (number != ALL((double)j)) &
                        (number != ALL((double)k));
+    /* Up to the cap no body is met where even the largest s leaves room. */
+    const vector away = MAX(w, ALL(0.0)) * most;
+    const mask meets = (u + v * start < away) | (u + v * end < away);
+    if (mask_bits(&meets) == 0)
+      continue;
     const vector body[3] = {u, v, w};
     vector first, second;
     exits(body, s2, &start, &first, &second);
@@ -232,13 +246,14 @@ TARGET static void bounds(const packing_i_front_curves *c, size_t count)
   for (size_t t = 0; t < count; t += WIDTH) {
     const vector x = LOAD(c->x + t), y = LOAD(c->y + t), z = LOAD(c->z + t),
                  r = LOAD(c->lo + t);
-    const vector u = LOAD(c->a + t) - (LOAD(c->base[0] + t) * x + LOAD(c->base[1] + t) * y +
-                                       LOAD(c->base[2] + t) * z);
-    const vector v = LOAD(c->b + t) - (LOAD(c->slope[0] + t) * x +
-                                       LOAD(c->slope[1] + t) * y +
-                                       LOAD(c->slope[2] + t) * z);
-    const vector w = LOAD(c->side[0] + t) * x + LOAD(c->side[1] + t) * y +
-                     LOAD(c->side[2] + t) * z;
+    const vector u =
+        LOAD(c->a + t) -
+        (LOAD(c->base[0] + t) * x + LOAD(c->base[1] + t) * y + LOAD(c->base[2] + t) * z);
+    const vector v =
+        LOAD(c->b + t) - (LOAD(c->slope[0] + t) * x + LOAD(c->slope[1] + t) * y +
+                          LOAD(c->slope[2] + t) * z);
+    const vector w =
+        LOAD(c->side[0] + t) * x + LOAD(c->side[1] + t) * y + LOAD(c->side[2] + t) * z;
     const vector s2[3] = {LOAD(c->s2[0] + t), LOAD(c->s2[1] + t), LOAD(c->s2[2] + t)};
     const vector height2 = s2[0] + r * (s2[1] + r * s2[2]);
     vector height = MAX(height2, ALL(0.0));

@@ -7,7 +7,8 @@
 
 enum { DIRECTIONS = 128 };
 
-static packing_status tile_for(packing_i_pockets *p, const packing_vec3 *c, uint32_t *tile)
+static packing_status tile_for(packing_i_pockets *p, const packing_vec3 *c,
+                               uint32_t *tile)
 {
   int64_t at[3];
   packing_vec3 wrapped = *c;
@@ -42,7 +43,8 @@ packing_status packing_i_front_enter_store(packing_i_pockets *p)
   const packing_particles *store = p->placer->particles;
   const size_t count = store->count;
   for (size_t i = 0; i < count; i++) {
-    packing_vec3 c = packing_i_vec(store->x[i], store->y[i], p->dim == 2 ? 0 : store->z[i]);
+    packing_vec3 c =
+        packing_i_vec(store->x[i], store->y[i], p->dim == 2 ? 0 : store->z[i]);
     PACKING_I_TRY(put_one(p, &c, store->r[i], 0, i + 1));
   }
   return PACKING_OK;
@@ -70,8 +72,8 @@ static int is_free(packing_i_pockets *p, const packing_vec3 *c, double r, int *f
 }
 
 /* Takes a radius of the stock and puts it at c. */
-static packing_status take_and_put(packing_i_pockets *p, const packing_vec3 *c, size_t zone,
-                                   size_t index)
+static packing_status take_and_put(packing_i_pockets *p, const packing_vec3 *c,
+                                   size_t zone, size_t index)
 {
   double r;
   size_t component;
@@ -176,9 +178,8 @@ static packing_status start_one(packing_i_pockets *p, size_t touched, int *place
     for (int k = 0; k < 3 && !*placed; k++) {
       const double r = stock->r[some[k]];
       if (touched != SIZE_MAX) {
-        const packing_vec3 from =
-            packing_i_vec(store->x[touched], store->y[touched],
-                          p->dim == 2 ? 0 : store->z[touched]);
+        const packing_vec3 from = packing_i_vec(store->x[touched], store->y[touched],
+                                                p->dim == 2 ? 0 : store->z[touched]);
         c = packing_i_add(from, packing_i_scale(direction(p, n), store->r[touched] + r));
         if (packing_i_source_zone(p->front.source, &c) != zone)
           continue;

@@ -43,10 +43,10 @@ int packing_i_touch_has_walls(const packing_contact_task *task);
 /* The first particle of the fixed bodies; the bodies after it in turn give, with it, the side. */
 int packing_i_touch_first(const packing_contact_task *task);
 
-/* The particle of body `index` relative to the centre `from`, or for a wall the way into it as
- * seen by the mobile particle at `from`; zero where there is no such wall. */
-packing_vec3 packing_i_touch_towards(const packing_contact_task *task, int index,
-                                     packing_vec3 from);
+/* A point from which all walls of the task are seen: `from` itself or the centre of a particle
+ * (edges and facets of polygons and meshes are not seen from everywhere). Returns 0 where there is
+ * none. */
+int packing_i_touch_view(const packing_contact_task *task, packing_vec3 *from);
 
 /* The line along which the approximate methods come (section 3.4.3). */
 typedef struct packing_i_touch_line {
