@@ -113,15 +113,6 @@ static int read_isa(const char *text, packing_isa *isa)
                       "--isa: '%s' is not auto, baseline, avx2 or avx512", text);
 }
 
-static int read_porosity(const char *text, double *porosity)
-{
-  const int code = number_real("--target-porosity", text, porosity);
-  if (!code && !(*porosity > 0 && *porosity < 1))
-    return program_fail(PROGRAM_BAD_INPUT, "--target-porosity: %s is not between 0 and 1",
-                        text);
-  return code;
-}
-
 static int read_max_overlap(const char *text, double *limit)
 {
   const int code = number_real("--max-overlap", text, limit);
@@ -223,7 +214,7 @@ static int read_amount(int key, const char *text, options *o)
   case KEY_MASS:
     return number_positive("--mass", text, &o->mass);
   case KEY_POROSITY:
-    return read_porosity(text, &o->porosity);
+    return number_share("--target-porosity", text, &o->porosity);
   default:
     return -1;
   }
@@ -412,6 +403,20 @@ void options_free(options *o)
 {
   outputs_free(&o->outputs);
   free(o->out);
+}
+
+int options_choice(const char *option, const char *text, const char *const *names,
+                   int *choice)
+{
+  char list[64] = "";
+  for (int i = 0; names[i]; i++) {
+    if (strcmp(names[i], text) == 0) {
+      *choice = i;
+      return 0;
+    }
+    spec_list(list, sizeof list, names[i]);
+  }
+  return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' is none of %s", option, text, list);
 }
 
 /* Pack after pack would repeat the warning about one field with other numbers. */

@@ -76,6 +76,10 @@ void options_report(cJSON *all, const options *o, const packing_context *context
 /* The names of colour_by. */
 const char *colour_name(colour_by colour);
 
+/* Which of the names (NULL behind the last) a word is; 0 or an exit code. */
+int options_choice(const char *option, const char *text, const char *const *names,
+                   int *choice);
+
 /* A context as asked; 0 or an exit code. */
 int options_context(const options *o, packing_context **context);
 

@@ -68,6 +68,21 @@ int program_status(const packing_context *context, packing_status status,
                       *message ? message : packing_status_string(status));
 }
 
+int program_field_status(const packing_context *context, packing_status status,
+                         const char *what)
+{
+  const char *message = packing_context_message(context);
+  const size_t field = strcspn(message, ":");
+  if (exit_code(status) != PROGRAM_BAD_INPUT || !message[field])
+    return program_status(context, status, what);
+  char *option = program_copy(message, field);
+  for (char *c = option; *c; c++)
+    *c = *c == '_' ? '-' : *c;
+  const int code = program_fail(PROGRAM_BAD_INPUT, "--%s%s", option, message + field);
+  free(option);
+  return code;
+}
+
 void *program_take_more(void *block, size_t count, size_t size)
 {
   void *grown = reallocarray(block, count ? count : 1, size);

@@ -30,6 +30,11 @@ int program_interrupted(void);
 int program_status(const packing_context *context, packing_status status,
                    const char *what);
 
+/* The same of a call whose fields have the names of options, with another hyphen: the line
+ * begins with the option; `what` is for failures that name no field. */
+int program_field_status(const packing_context *context, packing_status status,
+                         const char *what);
+
 /* Memory or the end of the program: for the small things that are read from the command
  * line, before any work starts. */
 void *program_take(size_t count, size_t size);
@@ -40,6 +45,9 @@ char *program_copy(const char *text, size_t length);
  * return 0, or an exit code after a line that starts with `where`. */
 int number_real(const char *where, const char *text, double *value);
 int number_positive(const char *where, const char *text, double *value);
+int number_not_negative(const char *where, const char *text, double *value);
+int number_share(const char *where, const char *text,
+                 double *value); /* above 0, below 1 */
 int number_whole(const char *where, const char *text, uint64_t least, uint64_t most,
                  uint64_t *value);
 
