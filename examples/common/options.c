@@ -303,6 +303,14 @@ char *options_add_spec_help(int key, const char *text, void *input)
   return end_help(key, text, parts);
 }
 
+char *options_add_grower_help(int key, const char *text, void *input)
+{
+  static const char *const parts[] = {spec_domain_help,        "\n", spec_psd_help, "\n",
+                                      spec_grower_status_help, NULL};
+  (void)input;
+  return end_help(key, text, parts);
+}
+
 char *options_add_domain_help(int key, const char *text, void *input)
 {
   static const char *const parts[] = {spec_domain_help, "\n", spec_taker_status_help,

@@ -63,6 +63,7 @@ error_t options_refuse(int key, char *argument, struct argp_state *state);
 /* A help filter that ends --help with the little language of --domain and --psd, one of --domain
  * alone, and one of both for programs that judge no pack. */
 char *options_add_spec_help(int key, const char *text, void *input);
+char *options_add_grower_help(int key, const char *text, void *input);
 char *options_add_domain_help(int key, const char *text, void *input);
 char *options_add_taker_help(int key, const char *text, void *input);
 

@@ -64,6 +64,8 @@ void interrupt_catch(void);
  * to be opened takes their number, and a report ends up in a pack. */
 void standard_files_fill(void);
 int interrupted(void);
+/* Takes an interruption as the end of the work and not of the program: the next one counts anew. */
+void interrupt_take(void);
 
 /* The command line as one could type it again. Free it. */
 char *program_command_line(int argc, char **argv);

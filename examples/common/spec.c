@@ -54,6 +54,16 @@ const char spec_maker_status_help[] =
     "  3                       a file cannot be read or written, or no memory\n"
     "  130                     interrupted, nothing is written\n";
 
+const char spec_grower_status_help[] =
+    "Exit status:\n"
+    "  0                       done\n"
+    "  1                       less was placed than asked, or the audit failed;\n"
+    "                          files are written\n"
+    "  2                       bad input: one line says what, nothing is written\n"
+    "  3                       a file cannot be read or written, or no memory\n"
+    "  130                     interrupted: while particles are placed, files hold the\n"
+    "                          pack as it stood, audited; later nothing is written\n";
+
 const char spec_taker_status_help[] =
     "Exit status:\n"
     "  0                       done, whatever the audit says\n"

@@ -74,6 +74,9 @@ int psd_spec_create(packing_context *context, const char *text, int dim,
 extern const char spec_domain_help[], spec_psd_help[];
 extern const char spec_maker_status_help[], spec_taker_status_help[];
 
+/* That of makers whose interrupted packs are whole. */
+extern const char spec_grower_status_help[];
+
 /* Adds a name to a list "a, b, c" for a message. */
 void spec_list(char *list, size_t size, const char *name);
 
