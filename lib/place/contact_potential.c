@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Placing a particle in contact by minimising a potential (seed 001, 3.4.2, equation 2): the
+ * centre x for which the sum of |gap(M_x, F_i)| is least; it is in contact with all bodies where
+ * that is 0. Nothing but the gaps is asked of the shapes.
+ *
+ * Departure: the sum of absolute values has a kink just where the solution is, and minimisers that
+ * follow its gradient stop beside it. Here the sum of squares is minimised, which has the same zeros
+ * and none of the kinks, by Levenberg and Marquardt's method, whose last steps are Newton's on the
+ * gaps. A place counts where every gap is at most 1e-12 of the mobile radius (or 8 rounding
+ * units). Each side is tried from up to four starts on the line of section 3.4.3: where spheres
+ * around the bodies would stop the particle, near c_m, at its far end, and halfway.
+ *
+ * Cost: 5 to 20 times 3 gaps a start, 7 times as many for shapes without gradients. */
+#include "touch_internal.h"
+
+enum { STARTS = 4 };
+
+/* Where, as a share of the line, circumscribed spheres would stop the particle. */
+static double stop_of(const packing_contact_task *task, const packing_i_touch_line *line)
+{
+  double most = 0;
+  for (int i = 0; i < task->dim; i++) {
+    const packing_body *body = &task->fixed[i];
+    if (body->domain != NULL)
+      continue;
+    const packing_vec3 apart = packing_i_sub(line->middle, body->centre);
+    const double reach = task->mobile.r + body->r;
+    const double height2 = reach * reach - packing_i_dot(apart, apart);
+    if (height2 > 0 && sqrt(height2) > most)
+      most = sqrt(height2);
+  }
+  return most / line->length;
+}
+
+/* On which side of the bodies a place lies, the middle being on both. */
+static int is_on_side(const packing_i_touch_line *line, packing_vec3 x, double r)
+{
+  return packing_i_dot(packing_i_sub(x, line->middle), line->along) >= -0x1p-22 * r;
+}
+
+static int place_on_side(const packing_contact_task *task, int side, packing_vec3 *x)
+{
+  packing_i_touch_line line;
+  if (!packing_i_touch_line_of(task, side, &line))
+    return 0;
+  const double start[STARTS] = {stop_of(task, &line),
+                                0.125 * task->mobile.r / line.length, 1, 0.5};
+  for (int i = 0; i < STARTS; i++) {
+    *x = packing_i_touch_mobile(task, &line, start[i]).centre;
+    if (packing_i_touch_descend(task, x) && is_on_side(&line, *x, task->mobile.r))
+      return 1;
+  }
+  return 0;
+}
+
+static int place(void *user, const packing_contact_task *task, packing_vec3 centre[2])
+{
+  (void)user;
+  return packing_i_touch_sides(task, place_on_side, centre);
+}
+
+const packing_contact_method *packing_contact_potential(void)
+{
+  static const packing_contact_method method = {
+      .name = "potential",
+      .reference =
+          "Perez Morales et al., section 3.4.2, equation 2: potential minimisation",
+      .exact = 1,
+      .place = place,
+  };
+  return &method;
+}

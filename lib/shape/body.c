@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Gaps between bodies (seed 001, equation 1): positive apart, 0 in outer contact, negative where
+ * the insides overlap.
+ *
+ *   spheres, discs   |c_1 - c_2| - (r_1 + r_2), the same to the bit when they are swapped
+ *   wall             the distance of the centre from the wall, less the radius
+ *   other shapes     the shape's own functions
+ *
+ * Constant time. */
+#include "domain/domain_internal.h"
+#include "shape_internal.h"
+
+/* Of one of the container's walls, taken as far as its surface goes on. */
+static double numbered_wall(const packing_domain *domain, int wall,
+                            const packing_vec3 *point, packing_vec3 *normal)
+{
+  packing_i_near_wall near[PACKING_I_NEAR_WALLS];
+  const int count = packing_i_domain_near_walls(domain, point, HUGE_VAL, near);
+  for (int i = 0; i < count; i++)
+    if (near[i].wall == wall) {
+      if (normal != NULL)
+        *normal = near[i].normal;
+      return near[i].distance;
+    }
+  if (normal != NULL)
+    *normal = packing_i_vec(0, 0, 0);
+  return HUGE_VAL;
+}
+
+double packing_i_body_wall_gap(const packing_body *a, const packing_body *wall,
+                               packing_vec3 *normal)
+{
+  if (a->shape != NULL)
+    return a->shape->def.clearance(a->shape->def.user, a, wall->domain, wall->wall,
+                                   normal);
+  if (wall->wall < 0)
+    return packing_domain_signed_distance(wall->domain, &a->centre, normal) - a->r;
+  return numbered_wall(wall->domain, wall->wall, &a->centre, normal) - a->r;
+}
+
+double packing_body_gap(const packing_body *a, const packing_body *b)
+{
+  if (b->domain != NULL)
+    return packing_i_body_wall_gap(a, b, NULL);
+  if (a->domain != NULL)
+    return packing_i_body_wall_gap(b, a, NULL);
+  const packing_shape *shape = packing_i_pair_shape(a, b);
+  if (shape != NULL)
+    return shape->def.gap(shape->def.user, a, b);
+  return packing_i_norm(packing_i_sub(a->centre, b->centre)) - (a->r + b->r);
+}
+
+int packing_body_overlap(const packing_body *a, const packing_body *b)
+{
+  if (a->domain == NULL && b->domain == NULL) {
+    const packing_shape *shape = packing_i_pair_shape(a, b);
+    if (shape != NULL && shape->def.overlap != NULL)
+      return shape->def.overlap(shape->def.user, a, b) != 0;
+  }
+  return packing_body_gap(a, b) < 0;
+}
+
+double packing_body_clearance(const packing_body *a, const packing_domain *domain,
+                              packing_vec3 *normal)
+{
+  const packing_body all = {.domain = domain, .wall = -1};
+  return packing_i_body_wall_gap(a, &all, normal);
+}
