@@ -41,6 +41,9 @@ packing_status packing_i_list_start(packing_context *context,
       list->rank[i] = (packing_i_rank){classes[i].r, i};
     packing_i_ranks_sort(list->rank, spare, count);
     fill(list, classes);
+    if (list->undrawn == 0)
+      status = packing_i_fail(context, PACKING_ERR_RANGE, "classes", PACKING_NO_INDEX,
+                              "no particles");
   }
   packing_i_free(allocator, spare);
   return status;

@@ -18,9 +18,12 @@ static double draw_psd(packing_i_zone *zone, size_t *component)
       part++;
   }
   const packing_psd *law = packing_i_psd_part(zone->psd, part);
-  const double u = packing_i_strata_uniform_open(&zone->strata[part]);
-  const double v =
-      law->ops->numbers > 1 ? packing_i_stream_uniform_open(&zone->choice.stream) : 0.5;
+  packing_i_strata *strata = &zone->strata[part];
+  double u = packing_i_strata_uniform_open(strata), v = 0.5;
+  if (law->ops->numbers > 1) { /* v chooses, a radius of a sample or a part of a part */
+    v = u;
+    u = packing_i_strata_second(strata);
+  }
   *component = part;
   return packing_i_psd_radius(law, PACKING_BY_NUMBER, u, v, &inner);
 }
