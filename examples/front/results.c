@@ -43,6 +43,13 @@ static void report_amount(cJSON *all, const front_job *job)
                   job->asked->loosen_given ? loosen_names[job->asked->loosen] : NULL);
 }
 
+static void report_select(cJSON *all, const front_options *o)
+{
+  cJSON *select = report_add_list(all, "select");
+  for (int i = 0; i < 2; i++)
+    report_append_text(select, packing_front_select_name(o->select[i]));
+}
+
 static void report_method(cJSON *all, const front_options *o)
 {
   const int paper = o->mode == PACKING_FRONT_PAPER;
@@ -51,9 +58,10 @@ static void report_method(cJSON *all, const front_options *o)
   report_add_text(all, "mode", packing_front_mode_name(o->mode));
   report_add_text(all, "direction", packing_front_direction_name(o->direction));
   report_add_text(all, "contact", paper ? contact->name : NULL);
-  cJSON *select = report_add_list(all, "select");
-  for (int i = 0; i < 2 && paper; i++)
-    report_append_text(select, packing_front_select_name(o->select[i]));
+  if (paper)
+    report_select(all, o);
+  else
+    report_add_text(all, "select", NULL);
   const size_t stock = o->mode == PACKING_FRONT_FAST ? 64 : 256;
   report_add_count(all, "stock",
                    paper            ? REPORT_NONE
@@ -71,7 +79,10 @@ static cJSON *report_options(const front_job *job)
   cJSON *grades = report_add_list(all, "grade");
   for (size_t i = 0; i < o->grade_count; i++)
     report_append_text(grades, o->grades[i]);
-  report_add_text(all, "in", o->in.text);
+  if (o->in.text)
+    input_report(all, &o->in);
+  else
+    report_add_text(all, "in", NULL);
   report_amount(all, job);
   report_method(all, o);
   if (o->settle) {
