@@ -129,6 +129,17 @@ PACKING_API int packing_shape_inertia(const packing_shape *shape, double r, int 
  *  \return positive apart, 0 in contact, negative where they overlap [L]. Thread-safe */
 PACKING_API double packing_body_gap(const packing_body *a, const packing_body *b);
 
+/** The gap between a particle and a wall, and which way the wall faces.
+ *  \param a a particle
+ *  \param domain the container
+ *  \param wall which of its walls, as in packing_body; -1: the nearest one
+ *  \param[out] normal unit gradient of the gap, 0 where there is no such wall; NULL is fine
+ *  \return as packing_body_gap(); infinity where the container has no wall of that number.
+ *          Thread-safe */
+PACKING_API double packing_body_wall_gap(const packing_body *a,
+                                         const packing_domain *domain, int wall,
+                                         packing_vec3 *normal);
+
 /** Whether two bodies overlap (touching is none).
  *  \param a,b the bodies, not both walls
  *  \return 1 or 0. Thread-safe */

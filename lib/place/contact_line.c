@@ -53,7 +53,8 @@ static int rails_at(const packing_contact_task *task, packing_vec3 mean, rails *
       continue;
     const int k = r->count++;
     r->wall[k] = &task->fixed[i];
-    r->wanted[k] = r->slack - packing_i_body_wall_gap(&mobile, r->wall[k], &r->normal[k]);
+    r->wanted[k] = r->slack - packing_body_wall_gap(&mobile, r->wall[k]->domain,
+                                                    r->wall[k]->wall, &r->normal[k]);
     if (!isfinite(r->wanted[k]))
       return 0;
   }
@@ -84,8 +85,10 @@ static int lift(const packing_contact_task *task, packing_vec3 mean, rails *r,
                        far = packing_i_touch_mobile(task, line, 1);
     int free = 1;
     for (int k = 0; k < r->count; k++) {
-      const double one = packing_i_body_wall_gap(&near, r->wall[k], NULL);
-      const double two = packing_i_body_wall_gap(&far, r->wall[k], NULL);
+      const double one =
+          packing_body_wall_gap(&near, r->wall[k]->domain, r->wall[k]->wall, NULL);
+      const double two =
+          packing_body_wall_gap(&far, r->wall[k]->domain, r->wall[k]->wall, NULL);
       const double least = one < two ? one : two;
       if (least >= 0.5 * r->slack)
         continue;

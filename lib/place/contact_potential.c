@@ -7,13 +7,12 @@
  * follow its gradient stop beside it. Here the sum of squares is minimised, which has the same zeros
  * and none of the kinks, by Levenberg and Marquardt's method, whose last steps are Newton's on the
  * gaps. A place counts where every gap is at most 1e-12 of the mobile radius (or 8 rounding
- * units). Each side is tried from up to four starts on the line of section 3.4.3: where spheres
- * around the bodies would stop the particle, near c_m, at its far end, and halfway.
+ * units). Each side is started where spheres around the bodies would stop a particle that comes
+ * along the line of section 3.4.3, and above the smallest of them; with other shapes also near c_m
+ * and at c_0.
  *
  * Cost: 5 to 20 times 3 gaps a start, 7 times as many for shapes without gradients. */
 #include "touch_internal.h"
-
-enum { STARTS = 4 };
 
 /* Where, as a share of the line, circumscribed spheres would stop the particle. */
 static double stop_of(const packing_contact_task *task, const packing_i_touch_line *line)
@@ -38,25 +37,58 @@ static int is_on_side(const packing_i_touch_line *line, packing_vec3 x, double r
   return packing_i_dot(packing_i_sub(x, line->middle), line->along) >= -0x1p-22 * r;
 }
 
+/* Above the smallest of the particles: far from the middle where sizes differ much. */
+static packing_vec3 above_smallest(const packing_contact_task *task,
+                                   const packing_i_touch_line *line)
+{
+  const packing_body *least = &task->fixed[packing_i_touch_first(task)];
+  for (int i = 0; i < task->dim; i++)
+    if (task->fixed[i].domain == NULL && task->fixed[i].r < least->r)
+      least = &task->fixed[i];
+  return packing_i_add(least->centre,
+                       packing_i_scale(line->along, least->r + task->mobile.r));
+}
+
+/* Other shapes than spheres are started from two more points. */
 static int place_on_side(const packing_contact_task *task, int side, packing_vec3 *x)
 {
   packing_i_touch_line line;
   if (!packing_i_touch_line_of(task, side, &line))
     return 0;
-  const double start[STARTS] = {stop_of(task, &line),
-                                0.125 * task->mobile.r / line.length, 1, 0.5};
-  for (int i = 0; i < STARTS; i++) {
-    *x = packing_i_touch_mobile(task, &line, start[i]).centre;
+  const double near = 0.125 * task->mobile.r / line.length;
+  const packing_vec3 start[] = {
+      packing_i_touch_mobile(task, &line, stop_of(task, &line)).centre,
+      above_smallest(task, &line), packing_i_touch_mobile(task, &line, near).centre,
+      packing_i_touch_mobile(task, &line, 1).centre};
+  const int starts = packing_i_touch_all_round(task) ? 2 : 4;
+  for (int i = 0; i < starts; i++) {
+    *x = start[i];
     if (packing_i_touch_descend(task, x) && is_on_side(&line, *x, task->mobile.r))
       return 1;
   }
   return 0;
 }
 
+/* Whether some pair is too far apart for the particle to reach both. */
+static int is_hopeless(const packing_contact_task *task)
+{
+  const double across = 2 * task->mobile.r;
+  for (int i = 1; i < task->dim; i++)
+    for (int j = 0; j < i; j++) {
+      const packing_body *a = &task->fixed[i], *b = &task->fixed[j];
+      if (a->domain != NULL || b->domain != NULL)
+        continue;
+      const double apart = packing_i_norm(packing_i_sub(a->centre, b->centre));
+      if (apart > (a->r + b->r + across) * (1 + 0x1p-40))
+        return 1;
+    }
+  return 0;
+}
+
 static int place(void *user, const packing_contact_task *task, packing_vec3 centre[2])
 {
   (void)user;
-  return packing_i_touch_sides(task, place_on_side, centre);
+  return is_hopeless(task) ? 0 : packing_i_touch_sides(task, place_on_side, centre);
 }
 
 const packing_contact_method *packing_contact_potential(void)

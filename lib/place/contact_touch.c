@@ -5,10 +5,13 @@
 #include "touch_internal.h"
 #include <float.h>
 
-enum { POLISH_STEPS = 4, DESCENT_STEPS = 80 };
+enum { POLISH_STEPS = 4, DESCENT_STEPS = 250 };
 
 /* Places nearer to each other than this share of the mobile radius are one. */
 static const double same_place = 0x1p-22;
+
+/* A descent that wins less than this share of the squares in a step has come to its end. */
+static const double standstill = 0x1p-30;
 
 /* Of a radius: as far as the centre is moved to find a gradient. */
 static const double difference_step = 0x1p-18;
@@ -19,6 +22,14 @@ int packing_i_touch_first(const packing_contact_task *task)
   while (i < task->dim - 1 && task->fixed[i].domain != NULL)
     i++;
   return i;
+}
+
+int packing_i_touch_all_round(const packing_contact_task *task)
+{
+  for (int i = 0; i < task->dim; i++)
+    if (task->fixed[i].domain == NULL && task->fixed[i].shape != NULL)
+      return 0;
+  return task->mobile.shape == NULL;
 }
 
 packing_vec3 packing_i_touch_towards(const packing_contact_task *task, int index,
@@ -32,7 +43,7 @@ packing_vec3 packing_i_touch_towards(const packing_contact_task *task, int index
   packing_body mobile = task->mobile;
   packing_vec3 normal;
   mobile.centre = from;
-  packing_i_body_wall_gap(&mobile, body, &normal);
+  packing_body_wall_gap(&mobile, body->domain, body->wall, &normal);
   return packing_i_scale(normal, -1);
 }
 
@@ -102,7 +113,7 @@ static double gap_of(const packing_body *mobile, const packing_body *body, int d
                      packing_vec3 *normal)
 {
   if (body->domain != NULL)
-    return packing_i_body_wall_gap(mobile, body, normal);
+    return packing_body_wall_gap(mobile, body->domain, body->wall, normal);
   if (packing_i_pair_shape(mobile, body) != NULL) {
     *normal = differences(mobile, body, dim);
     return packing_body_gap(mobile, body);
@@ -206,9 +217,13 @@ int packing_i_touch_descend(const packing_contact_task *task, packing_vec3 *x)
     packing_i_touch there;
     const packing_vec3 next = packing_i_add(*x, damped_step(&here, damping));
     packing_i_touch_at(task, next, &there);
-    if (there.worst < HUGE_VAL && squares(&there) < squares(&here)) {
+    const double before = squares(&here), after = squares(&there);
+    if (there.worst < HUGE_VAL && after < before) {
       *x = next;
       here = there;
+      /* At the bottom, and that is not 0: the bodies are too far apart. */
+      if (before - after < standstill * before)
+        break;
       damping *= 0x1p-4;
       if (damping < 0x1p-50)
         damping = 0x1p-50;

@@ -52,7 +52,7 @@ static int body_of(const view *v, int k, packing_vec3 c, packing_i_front_body *b
   packing_body mobile = v->task->mobile;
   packing_vec3 normal;
   mobile.centre = packing_i_add(v->sphere->centre, c);
-  const double gap = packing_i_body_wall_gap(&mobile, other, &normal);
+  const double gap = packing_body_wall_gap(&mobile, other->domain, other->wall, &normal);
   *body = packing_i_front_wall(normal, gap + mobile.r - packing_i_dot(normal, c));
   return isfinite(gap);
 }
@@ -116,14 +116,6 @@ static int place_at_walls(const packing_contact_task *task, int side,
   return packing_i_touch_descend(task, centre);
 }
 
-static int all_round(const packing_contact_task *task)
-{
-  for (int i = 0; i < task->dim; i++)
-    if (task->fixed[i].domain == NULL && task->fixed[i].shape != NULL)
-      return 0;
-  return task->mobile.shape == NULL;
-}
-
 static int has_walls(const packing_contact_task *task)
 {
   for (int i = 0; i < task->dim; i++)
@@ -135,7 +127,7 @@ static int has_walls(const packing_contact_task *task)
 static int place(void *user, const packing_contact_task *task, packing_vec3 centre[2])
 {
   (void)user;
-  if (!all_round(task))
+  if (!packing_i_touch_all_round(task))
     return 0;
   if (has_walls(task))
     return packing_i_touch_sides(task, place_at_walls, centre);

@@ -35,6 +35,9 @@ packing_vec3 packing_i_touch_polish(const packing_contact_task *task, packing_ve
 /* Levenberg and Marquardt's way from x to where all gaps are 0. Returns whether it came there. */
 int packing_i_touch_descend(const packing_contact_task *task, packing_vec3 *x);
 
+/* Whether all particles of the task are spheres. */
+int packing_i_touch_all_round(const packing_contact_task *task);
+
 /* The first particle of the fixed bodies; the bodies after it in turn give, with it, the side. */
 int packing_i_touch_first(const packing_contact_task *task);
 

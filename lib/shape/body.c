@@ -27,23 +27,22 @@ static double numbered_wall(const packing_domain *domain, int wall,
   return HUGE_VAL;
 }
 
-double packing_i_body_wall_gap(const packing_body *a, const packing_body *wall,
-                               packing_vec3 *normal)
+double packing_body_wall_gap(const packing_body *a, const packing_domain *domain,
+                             int wall, packing_vec3 *normal)
 {
   if (a->shape != NULL)
-    return a->shape->def.clearance(a->shape->def.user, a, wall->domain, wall->wall,
-                                   normal);
-  if (wall->wall < 0)
-    return packing_domain_signed_distance(wall->domain, &a->centre, normal) - a->r;
-  return numbered_wall(wall->domain, wall->wall, &a->centre, normal) - a->r;
+    return a->shape->def.clearance(a->shape->def.user, a, domain, wall, normal);
+  if (wall < 0)
+    return packing_domain_signed_distance(domain, &a->centre, normal) - a->r;
+  return numbered_wall(domain, wall, &a->centre, normal) - a->r;
 }
 
 double packing_body_gap(const packing_body *a, const packing_body *b)
 {
   if (b->domain != NULL)
-    return packing_i_body_wall_gap(a, b, NULL);
+    return packing_body_wall_gap(a, b->domain, b->wall, NULL);
   if (a->domain != NULL)
-    return packing_i_body_wall_gap(b, a, NULL);
+    return packing_body_wall_gap(b, a->domain, a->wall, NULL);
   const packing_shape *shape = packing_i_pair_shape(a, b);
   if (shape != NULL)
     return shape->def.gap(shape->def.user, a, b);
@@ -63,6 +62,5 @@ int packing_body_overlap(const packing_body *a, const packing_body *b)
 double packing_body_clearance(const packing_body *a, const packing_domain *domain,
                               packing_vec3 *normal)
 {
-  const packing_body all = {.domain = domain, .wall = -1};
-  return packing_i_body_wall_gap(a, &all, normal);
+  return packing_body_wall_gap(a, domain, -1, normal);
 }

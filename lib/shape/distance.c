@@ -59,7 +59,7 @@ static double from_wall(const packing_body *a, const packing_body *wall,
 {
   packing_body ball = packing_body_sphere(a->centre, a->r);
   double from = 0;
-  if (packing_i_body_wall_gap(&ball, wall, NULL) > 0 &&
+  if (packing_body_wall_gap(&ball, wall->domain, wall->wall, NULL) > 0 &&
       packing_i_wall_distance(&ball, wall, direction, &from) && !isfinite(from))
     return HUGE_VAL;
   packing_bounds bounds;

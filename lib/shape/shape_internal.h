@@ -23,11 +23,6 @@ static inline const packing_shape *packing_i_pair_shape(const packing_body *a,
   return a->shape != NULL ? a->shape : b->shape;
 }
 
-/* Gap of a particle and a wall; `normal` (NULL is fine) is its gradient. Infinite where the
- * container has no wall of that number. */
-double packing_i_body_wall_gap(const packing_body *a, const packing_body *wall,
-                               packing_vec3 *normal);
-
 /* Two spheres, `apart` from the fixed centre to the mobile one, radii adding up to `reach`: how
  * far until they touch (`leaving` 0) or let go of each other again (1); infinity: they do not
  * meet from now on. */
