@@ -22,9 +22,9 @@ typedef struct front_options {
   input in;
   packing_front_mode mode;
   packing_front_direction direction;
-  packing_front_select select[2];        /* of the front, of the neighbours */
-  const packing_contact_method *contact; /* NULL: not given */
-  const char *stock, *list, *frames;     /* as typed; NULL: not given */
+  packing_front_select select[2];            /* of the front, of the neighbours */
+  const packing_contact_method *contact;     /* NULL: not given */
+  const char *stock, *list, *frames, *trace; /* as typed; NULL: not given */
   const char *grades[FRONT_GRADES_MOST];
   size_t stock_count, grade_count, frame_count; /* 0: not given */
   int select_given, loosen_given, settle;
@@ -68,6 +68,13 @@ typedef struct front_frame {
   size_t members;
 } front_frame;
 
+/* How far it was when. */
+typedef struct front_mark {
+  double seconds;
+  size_t placed;
+  double volume_fraction;
+} front_mark;
+
 typedef struct front_job {
   front_options *asked;
   domain_spec spec;
@@ -88,9 +95,10 @@ typedef struct front_job {
   size_t on_front;
   front_frame *frames;
   size_t frame_count;
-  packing_particles
-      *grown;      /* the pack as it grew, where it was changed since; NULL: as it is */
-  double loosened; /* volume fraction, NaN: not loosened */
+  front_mark *marks;
+  size_t mark_count;
+  packing_particles *grown; /* as it was before it was changed; NULL: as it is */
+  double loosened;          /* volume fraction, NaN: not loosened */
   forces forces;
   packing_dem_report moved;
   double settle_time; /* simulated */
@@ -119,6 +127,10 @@ int front_frames_look(front_job *job);
 int front_frames_keep(front_job *job);
 packing_status front_frames_write(const pack *p, const packing_stream *stream, int svg);
 void front_frames_free(front_job *job);
+
+/* Notes how far the growth is, for --trace, and writes it. */
+void front_trace_look(front_job *job, double seconds);
+packing_status front_trace_write(const pack *p, const packing_stream *stream);
 
 /* Steps 3 and 4 of the paper's method. */
 int front_loosen(front_job *job);

@@ -33,6 +33,7 @@ int front_grow(front_job *job)
       code = front_status(job, status);
     else
       code = front_frames_look(job);
+    front_trace_look(job, program_seconds() - start);
     progress_show(&bar, job->placed.progress, job->placed.placed);
   } while (!code && job->placed.state == PACKING_PLACER_RUNNING && !interrupted());
   progress_clear();

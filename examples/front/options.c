@@ -19,7 +19,8 @@ enum {
   KEY_SETTLE,
   KEY_SETTLE_TIME,
   KEY_REST_TOLERANCE,
-  KEY_FRAMES
+  KEY_FRAMES,
+  KEY_TRACE
 };
 
 enum { FRAMES = 6 };
@@ -70,6 +71,8 @@ const struct argp_option front_options_table[] = {
      "one picture (.png or .svg) of the growth: the pack at N moments (default 6), its "
      "front in red",
      7},
+    {"trace", KEY_TRACE, "FILE", 0,
+     "a table of the growth: seconds,particles,volume_fraction", 7},
     {NULL, 0, NULL, 0, NULL, 0},
 };
 
@@ -223,6 +226,15 @@ static int read_frames(const char *text, front_options *o)
   return 0;
 }
 
+static int read_trace(const char *text, front_options *o)
+{
+  if (o->trace)
+    return BAD("--trace: given twice");
+  o->trace = text;
+  outputs_add(&o->common.outputs, "--trace", text, text)->write = front_trace_write;
+  return 0;
+}
+
 static int read_list(const char *text, front_options *o)
 {
   if (o->list)
@@ -241,7 +253,8 @@ static int read_own(int key, const char *text, front_options *o)
               {KEY_CONTACT, read_contact}, {KEY_SELECT, read_select},
               {KEY_STOCK, read_stock},     {KEY_LIST, read_list},
               {KEY_GRADE, read_grade},     {KEY_LOOSEN, read_loosen},
-              {KEY_SETTLE, read_settle},   {KEY_FRAMES, read_frames}};
+              {KEY_SETTLE, read_settle},   {KEY_FRAMES, read_frames},
+              {KEY_TRACE, read_trace}};
   if (key == KEY_SETTLE_TIME)
     return number_positive("--settle-time", text, &o->settle_time);
   if (key == KEY_REST_TOLERANCE)

@@ -91,6 +91,7 @@ static cJSON *report_options(const front_job *job)
   } else
     report_add_text(all, "settle", NULL);
   report_add_text(all, "frames", o->frames);
+  report_add_text(all, "trace", o->trace);
   options_report(all, &o->common, job->context);
   return all;
 }

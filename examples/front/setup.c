@@ -260,6 +260,7 @@ int front_set_up(front_job *job)
 void front_clean_up(front_job *job)
 {
   front_frames_free(job);
+  free(job->marks);
   free(job->components);
   packing_placer_destroy(job->placer);
   packing_particles_destroy(job->grown);

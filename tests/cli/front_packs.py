@@ -362,7 +362,7 @@ def help_mentions_every_option(program):
         equal((result.code, result.err), (DONE, ""), "exit code, standard error")
         text = result.out.decode()
         for name in ("domain psd density count mass target-porosity list grade in frame sort "
-                     "radius-array diameter-array dim mode direction contact select stock "
+                     "radius-array diameter-array dim mode direction contact select stock trace "
                      "loosen settle settle-time rest-tolerance frames gravity rotations "
                      "friction slip-velocity young poisson damping pull drag near-field "
                      "disc-mass arm walls dt seed stream threads isa out report max-overlap "
