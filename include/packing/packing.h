@@ -17,13 +17,14 @@
 #include <packing/order.h>
 #include <packing/particles.h>
 #include <packing/placer.h>
-#include <packing/porosity.h>
 #include <packing/pores.h>
+#include <packing/porosity.h>
 #include <packing/psd.h>
 #include <packing/readers.h>
 #include <packing/rng.h>
 #include <packing/shape.h>
 #include <packing/sizes.h>
+#include <packing/solids.h>
 #include <packing/tangency.h>
 #include <packing/types.h>
 #include <packing/writers.h>

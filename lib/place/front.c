@@ -248,9 +248,7 @@ static packing_status start(packing_placer *placer, const packing_front_def *d,
 {
   if (d->mode == PACKING_FRONT_PAPER)
     return packing_i_front_paper_start(placer, d, head);
-  return packing_i_fail(placer->context, PACKING_ERR_UNSUPPORTED, "mode",
-                        PACKING_NO_INDEX, "%s is not built",
-                        packing_front_mode_name(d->mode));
+  return packing_i_front_pockets_start(placer, d, head);
 }
 
 packing_status packing_front_create(packing_context *context,
@@ -267,8 +265,8 @@ packing_status packing_front_create(packing_context *context,
   packing_status status =
       packing_i_source_create(context, &d, psd, stock_of(&d), &head.source);
   if (status == PACKING_OK)
-    status = packing_i_placer_create(
-        context, &packing_i_front_paper_ops, domain, packing_i_source_psd(head.source), particles, &p);
+    status = packing_i_placer_create(context, &packing_i_front_paper_ops, domain,
+                                     packing_i_source_psd(head.source), particles, &p);
   if (status == PACKING_OK)
     status = set_head(p, &d, &head);
   if (status == PACKING_OK)

@@ -17,8 +17,9 @@ static double narrowness(double top, double square, double distance)
   return top / (sqrt(square) * distance);
 }
 
-static void cap_set(packing_i_front_caps *caps, size_t n, const packing_i_front_halo *halo,
-                    size_t t, const packing_i_pockets *p)
+static void cap_set(packing_i_front_caps *caps, size_t n,
+                    const packing_i_front_halo *halo, size_t t,
+                    const packing_i_pockets *p)
 {
   const double square =
       halo->x[t] * halo->x[t] + halo->y[t] * halo->y[t] + halo->z[t] * halo->z[t];
@@ -28,8 +29,8 @@ static void cap_set(packing_i_front_caps *caps, size_t n, const packing_i_front_
   caps->z[n] = halo->z[t];
   caps->square[n] = square;
   caps->top[n] = halo->a[t] + halo->b[t] * p->reference_r;
-  caps->room[n] = caps->top[n] + (wall && p->curved ? p->mean_r * p->mean_r * 0.1
-                                                    : p->slack);
+  caps->room[n] =
+      caps->top[n] + (wall && p->curved ? p->mean_r * p->mean_r * 0.1 : p->slack);
   caps->reach[n] = halo->r[t] + p->reference_r;
   caps->halo[n] = (uint32_t)t;
 }
@@ -62,10 +63,9 @@ static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, 
     if (!(top * top <= square * distance * distance))
       continue;
     /* In two dimensions every triple has the plane: it comes first. */
-    const double cosine =
-        halo->id[t] == (PACKING_I_FRONT_WALL | PACKING_I_FRONT_PLANE)
-            ? -2
-            : narrowness(top, square, distance);
+    const double cosine = halo->id[t] == (PACKING_I_FRONT_WALL | PACKING_I_FRONT_PLANE)
+                              ? -2
+                              : narrowness(top, square, distance);
     size_t n = caps->count++;
     for (; n > 0 && narrow[n - 1] > cosine; n--) {
       cap_copy(caps, n, n - 1);
@@ -94,8 +94,9 @@ static packing_i_front_body halo_body(const packing_i_front_halo *halo, size_t t
 }
 
 /* Moves wall bodies to the candidate c and solves again. 0: it runs away. */
-static int settle_walls(const birth *b, const uint32_t id[2], packing_i_front_body body[2],
-                        int side, packing_i_front_curve *curve, packing_vec3 *c)
+static int settle_walls(const birth *b, const uint32_t id[2],
+                        packing_i_front_body body[2], int side,
+                        packing_i_front_curve *curve, packing_vec3 *c)
 {
   const packing_i_pockets *p = b->p;
   for (int turn = 0; turn < 20; turn++) {
@@ -133,8 +134,15 @@ static uint32_t tile_of(const packing_i_front_grid *grid, uint32_t tile,
   const packing_i_front_tile *t = grid->tile + tile;
   const double x = (c->x - t->lo.x) / grid->edge.x, y = (c->y - t->lo.y) / grid->edge.y,
                z = (c->z - t->lo.z) / grid->edge.z;
-  const int nx = x < 0 ? 0 : x < 1 ? 1 : 2, ny = y < 0 ? 0 : y < 1 ? 1 : 2,
-            nz = z < 0 ? 0 : z < 1 ? 1 : 2;
+  const int nx = x < 0   ? 0
+                 : x < 1 ? 1
+                         : 2,
+            ny = y < 0   ? 0
+                 : y < 1 ? 1
+                         : 2,
+            nz = z < 0   ? 0
+                 : z < 1 ? 1
+                         : 2;
   return t->around[(nz * 3 + ny) * 3 + nx];
 }
 

@@ -82,7 +82,8 @@ static int grow(const packing_allocator *allocator, void **array, size_t count,
     next = count + more;
   if (next < 16)
     next = 16;
-  void *grown = packing_i_regrow(allocator, *array, *array == NULL ? 0 : count, next, size);
+  void *grown =
+      packing_i_regrow(allocator, *array, *array == NULL ? 0 : count, next, size);
   if (grown == NULL)
     return 0;
   *array = grown;
@@ -254,14 +255,14 @@ packing_status packing_i_front_tile_fill(packing_i_front_grid *grid, uint32_t ti
   for (uint32_t l = grid->tile[tile].list; l != 0; l = grid->list[l].next)
     for (uint32_t n = 0; n < grid->list[l].count; n++) {
       const uint32_t i = grid->list[l].index[n];
-      const packing_vec3 p = packing_i_vec(store->x[i], store->y[i],
-                                           store->dim == 2 ? 0 : store->z[i]);
+      const packing_vec3 p =
+          packing_i_vec(store->x[i], store->y[i], store->dim == 2 ? 0 : store->z[i]);
       if (grid->free_bin == 0 && !packing_i_front_grid_reserve_bins(grid, 256))
         return PACKING_ERR_NOMEM;
-      uint32_t *cell = grid->tile[tile].cell + ((cell_inside(p.z, lo.z, per.z) * EDGE +
-                                                 cell_inside(p.y, lo.y, per.y)) *
-                                                    EDGE +
-                                                cell_inside(p.x, lo.x, per.x));
+      uint32_t *cell =
+          grid->tile[tile].cell +
+          ((cell_inside(p.z, lo.z, per.z) * EDGE + cell_inside(p.y, lo.y, per.y)) * EDGE +
+           cell_inside(p.x, lo.x, per.x));
       const uint32_t place = add_to_cell(grid, cell, &p, store->r[i], &grid->free_bin);
       grid->bin[place / PACKING_I_FRONT_WIDTH].index[place % PACKING_I_FRONT_WIDTH] = i;
     }

@@ -25,25 +25,26 @@ typedef struct packing_i_front_list {
 } packing_i_front_list;
 
 typedef struct packing_i_front_tile {
-  int64_t at[3];   /* in tiles */
-  packing_vec3 lo; /* its lowest corner */
-  uint32_t cell[PACKING_I_TILE_CELLS];     /* first bin; 0: empty */
-  uint32_t around[PACKING_I_TILE_AROUND];  /* tiles; 0: not made yet */
-  uint32_t list;                           /* first list of indices */
-  uint32_t pockets;                        /* first pocket at home here; 0: none */
-  double next_key;                         /* no pocket with work has a smaller one */
-  int resident;                            /* the cells are filled */
-  int pinned;                              /* holds periodic images: never emptied */
-  int live;                                /* in the list of tiles with pockets */
-  int surrounded;                          /* all tiles around are made */
+  int64_t at[3];                          /* in tiles */
+  packing_vec3 lo;                        /* its lowest corner */
+  uint32_t cell[PACKING_I_TILE_CELLS];    /* first bin; 0: empty */
+  uint32_t around[PACKING_I_TILE_AROUND]; /* tiles; 0: not made yet */
+  uint32_t list;                          /* first list of indices */
+  uint32_t pockets;                       /* first pocket at home here; 0: none */
+  double next_key;                        /* no pocket with work has a smaller one */
+  int resident;                           /* the cells are filled */
+  int pinned;                             /* holds periodic images: never emptied */
+  int live;                               /* in the list of tiles with pockets */
+  int surrounded;                         /* all tiles around are made */
+  int judged;                             /* `clear` is known */
   int clear; /* no wall is within reach of any sphere that starts here */
 } packing_i_front_tile;
 
 typedef struct packing_i_front_grid {
   const packing_allocator *allocator;
   packing_vec3 origin;
-  packing_vec3 edge;     /* of a tile [L] */
-  packing_vec3 per_edge; /* cells over length */
+  packing_vec3 edge;          /* of a tile [L] */
+  packing_vec3 per_edge;      /* cells over length */
   packing_i_front_tile *tile; /* [0] is none */
   size_t tiles, tile_room;
   uint32_t *slot; /* hash table of tiles */
@@ -93,8 +94,8 @@ packing_status packing_i_front_tile_fill(packing_i_front_grid *grid, uint32_t ti
 void packing_i_front_tile_empty(packing_i_front_grid *grid, uint32_t tile);
 
 /* A sphere's record by its place. */
-static inline packing_i_front_bin *packing_i_front_bin_of(const packing_i_front_grid *grid,
-                                                          uint32_t place, unsigned *lane)
+static inline packing_i_front_bin *
+packing_i_front_bin_of(const packing_i_front_grid *grid, uint32_t place, unsigned *lane)
 {
   *lane = place % PACKING_I_FRONT_WIDTH;
   return grid->bin + place / PACKING_I_FRONT_WIDTH;

@@ -19,8 +19,8 @@ static int far_along(const packing_i_pockets *p, int axis)
   return n < 2 ? (int)n : 2;
 }
 
-static packing_vec3 shifted(const packing_i_pockets *p, const packing_vec3 *c, int x, int y,
-                            int z)
+static packing_vec3 shifted(const packing_i_pockets *p, const packing_vec3 *c, int x,
+                            int y, int z)
 {
   return packing_i_vec(x == 0 ? c->x : c->x + x * p->period.x,
                        y == 0 ? c->y : c->y + y * p->period.y,
@@ -37,7 +37,8 @@ static int along_matters(const packing_i_pockets *p, int axis, double lo, double
 }
 
 /* Whether the box from lo to hi comes near the cell. */
-static int matters(const packing_i_pockets *p, const packing_vec3 *lo, const packing_vec3 *hi)
+static int matters(const packing_i_pockets *p, const packing_vec3 *lo,
+                   const packing_vec3 *hi)
 {
   return along_matters(p, 0, lo->x, hi->x) && along_matters(p, 1, lo->y, hi->y) &&
          along_matters(p, 2, lo->z, hi->z);

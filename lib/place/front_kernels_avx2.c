@@ -23,6 +23,6 @@ TARGET static inline unsigned mask_bits(const packing_i_front_mask *m)
 
 #include "front_kernels_body.h"
 
-const packing_i_front_kernels packing_i_front_kernels_avx2 = {gather, bodies, pairs, sieve,
-                                                              interval, bounds};
+const packing_i_front_kernels packing_i_front_kernels_avx2 = {gather, bodies,   pairs,
+                                                              sieve,  interval, bounds};
 #endif

@@ -11,8 +11,7 @@ typedef packing_i_front_vector vector;
 typedef packing_i_front_mask mask;
 
 #define WIDTH PACKING_I_FRONT_WIDTH
-#define ALL(a)                                                                           \
-  ((vector){(a), (a), (a), (a), (a), (a), (a), (a)})
+#define ALL(a) ((vector){(a), (a), (a), (a), (a), (a), (a), (a)})
 #define LOAD(p) (*(const vector *)(const void *)(p))
 #define STORE(p, v) (*(vector *)(void *)(p) = (v))
 /* Where the mask says so a, else b. */
@@ -49,8 +48,7 @@ TARGET static void bodies(packing_i_front_halo *halo, size_t count, double spher
   for (size_t t = 0; t < count; t += WIDTH) {
     const vector x = LOAD(halo->x + t), y = LOAD(halo->y + t), z = LOAD(halo->z + t),
                  r = LOAD(halo->r + t);
-    STORE(halo->a + t,
-          ALL(0.5) * ((x * x + y * y + z * z) + (own - r) * (own + r)));
+    STORE(halo->a + t, ALL(0.5) * ((x * x + y * y + z * z) + (own - r) * (own + r)));
     STORE(halo->b + t, own - r);
   }
 }
@@ -80,10 +78,9 @@ TARGET static void pairs(const packing_i_front_caps *caps, size_t first, double 
     vector w = MAX(left, zero) / det;
     take_root(&w);
     const vector number = lanes + ALL((double)t);
-    const mask meets =
-        (dx * dx + dy * dy + dz * dz <= reach * reach) & (left >= zero) &
-        (det > ALL(1e-9) * pp * qq) & (number > ALL((double)first)) &
-        (number < ALL((double)caps->count));
+    const mask meets = (dx * dx + dy * dy + dz * dz <= reach * reach) & (left >= zero) &
+                       (det > ALL(1e-9) * pp * qq) & (number > ALL((double)first)) &
+                       (number < ALL((double)caps->count));
     unsigned bits = mask_bits(&meets);
     STORE(out[0], cx + w * nx);
     STORE(out[1], cy + w * ny);
@@ -148,11 +145,9 @@ TARGET static inline void exits(const vector *room, const vector s2[3], const ve
   vector one = sum / q2, two = q0 / sum;
   const vector above = *r * ALL(1 + 1e-12);
   const mask real = discriminant >= zero;
-  const mask is_one = real & (one > above) & (one < none) &
-                      ((u + v * one) * w >= zero) &
+  const mask is_one = real & (one > above) & (one < none) & ((u + v * one) * w >= zero) &
                       (s2[0] + one * (s2[1] + one * s2[2]) >= zero);
-  const mask is_two = real & (two > above) & (two < none) &
-                      ((u + v * two) * w >= zero) &
+  const mask is_two = real & (two > above) & (two < none) & ((u + v * two) * w >= zero) &
                       (s2[0] + two * (s2[1] + two * s2[2]) >= zero);
   one = SELECT(is_one, one, none);
   two = SELECT(is_two, two, none);
@@ -189,11 +184,12 @@ TARGET static void interval(const packing_i_front_curve *curve,
   vector lo = start, e0 = none, e1 = none, e2 = none;
   for (size_t t = 0; t < halo->count; t += WIDTH) {
     const vector x = LOAD(halo->x + t), y = LOAD(halo->y + t), z = LOAD(halo->z + t);
-    const vector u = LOAD(halo->a + t) - (ALL(curve->base.x) * x +
-                                          ALL(curve->base.y) * y + ALL(curve->base.z) * z);
+    const vector u =
+        LOAD(halo->a + t) -
+        (ALL(curve->base.x) * x + ALL(curve->base.y) * y + ALL(curve->base.z) * z);
     const vector v =
-        LOAD(halo->b + t) - (ALL(curve->slope.x) * x + ALL(curve->slope.y) * y +
-                             ALL(curve->slope.z) * z);
+        LOAD(halo->b + t) -
+        (ALL(curve->slope.x) * x + ALL(curve->slope.y) * y + ALL(curve->slope.z) * z);
     const vector w =
         ALL(curve->side.x) * x + ALL(curve->side.y) * y + ALL(curve->side.z) * z;
     const vector room = u + v * start - w * s;
@@ -232,13 +228,14 @@ TARGET static void bounds(const packing_i_front_curves *c, size_t count)
   for (size_t t = 0; t < count; t += WIDTH) {
     const vector x = LOAD(c->x + t), y = LOAD(c->y + t), z = LOAD(c->z + t),
                  r = LOAD(c->lo + t);
-    const vector u = LOAD(c->a + t) - (LOAD(c->base[0] + t) * x + LOAD(c->base[1] + t) * y +
-                                       LOAD(c->base[2] + t) * z);
-    const vector v = LOAD(c->b + t) - (LOAD(c->slope[0] + t) * x +
-                                       LOAD(c->slope[1] + t) * y +
-                                       LOAD(c->slope[2] + t) * z);
-    const vector w = LOAD(c->side[0] + t) * x + LOAD(c->side[1] + t) * y +
-                     LOAD(c->side[2] + t) * z;
+    const vector u =
+        LOAD(c->a + t) -
+        (LOAD(c->base[0] + t) * x + LOAD(c->base[1] + t) * y + LOAD(c->base[2] + t) * z);
+    const vector v =
+        LOAD(c->b + t) - (LOAD(c->slope[0] + t) * x + LOAD(c->slope[1] + t) * y +
+                          LOAD(c->slope[2] + t) * z);
+    const vector w =
+        LOAD(c->side[0] + t) * x + LOAD(c->side[1] + t) * y + LOAD(c->side[2] + t) * z;
     const vector s2[3] = {LOAD(c->s2[0] + t), LOAD(c->s2[1] + t), LOAD(c->s2[2] + t)};
     const vector height2 = s2[0] + r * (s2[1] + r * s2[2]);
     vector height = MAX(height2, ALL(0.0));

@@ -102,10 +102,10 @@ static int make_pockets(packing_i_pockets *p, size_t count)
   if (p->pocket == NULL || p->pockets + count > p->pocket_room) {
     const size_t room = p->pockets + count + p->pocket_room / 2;
     packing_i_pocket *grown =
-        room > UINT32_MAX ? NULL
-                          : packing_i_regrow(allocator, p->pocket,
-                                             p->pocket == NULL ? 0 : p->pockets, room,
-                                             sizeof *grown);
+        room > UINT32_MAX
+            ? NULL
+            : packing_i_regrow(allocator, p->pocket, p->pocket == NULL ? 0 : p->pockets,
+                               room, sizeof *grown);
     if (grown == NULL)
       return 0;
     p->pocket = grown;

@@ -20,7 +20,8 @@ static int body_now(const packing_i_pockets *p, const packing_vec3 *owner, doubl
 /* The centre about the owner at radius r, by Newton's method from the pocket's curve; curved
  * walls follow it. 0: none. */
 static int find_centre(const packing_i_pockets *p, const packing_i_pocket *pocket,
-                       const packing_vec3 *owner, double owner_r, double r, packing_vec3 *c)
+                       const packing_vec3 *owner, double owner_r, double r,
+                       packing_vec3 *c)
 {
   if (!packing_i_front_curve_at(&pocket->curve, r, c))
     return 0;
@@ -57,8 +58,7 @@ static int free_of_spheres(const packing_i_pockets *p, const packing_i_front_hal
 
 int packing_i_front_has_room(const packing_i_front_lane *lane, size_t images)
 {
-  return lane->free_pockets >= PACKING_I_POCKETS_SPARE &&
-         lane->free_bins >= images &&
+  return lane->free_pockets >= PACKING_I_POCKETS_SPARE && lane->free_bins >= images &&
          lane->outbox_count + PACKING_I_POCKETS_SPARE <= lane->outbox_room &&
          lane->placed_count + images <= lane->placed_room;
 }
@@ -154,15 +154,16 @@ static void halo_move(packing_i_front_halo *halo, size_t to, size_t from)
 
 /* On curved walls the interval is that of the planes where the pocket was made: it is found anew
  * where the particle would be. 0: there is no pocket any more. */
-static int renew(packing_i_pockets *p, packing_i_front_lane *lane, packing_i_pocket *pocket,
-                 uint32_t tile, packing_vec3 c)
+static int renew(packing_i_pockets *p, packing_i_front_lane *lane,
+                 packing_i_pocket *pocket, uint32_t tile, packing_vec3 c)
 {
   double owner_r;
   const packing_vec3 owner = packing_i_front_centre(&p->grid, pocket->owner, &owner_r);
   packing_i_front_body j, k;
   packing_i_front_halo *halo = &lane->halo;
   packing_i_front_interval interval;
-  if (pocket->tries++ >= PACKING_I_POCKET_TRIES || !look(p, lane, tile, &owner, owner_r) ||
+  if (pocket->tries++ >= PACKING_I_POCKET_TRIES ||
+      !look(p, lane, tile, &owner, owner_r) ||
       !body_now(p, &owner, owner_r, pocket->j, c, &j) ||
       !body_now(p, &owner, owner_r, pocket->k, c, &k) ||
       !packing_i_front_curve_init(owner_r, &j, &k, pocket->side, &pocket->curve))

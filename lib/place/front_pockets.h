@@ -21,8 +21,9 @@
 
 enum {
   PACKING_I_LANES = 8,
-  PACKING_I_LANE_QUOTA = 256,    /* particles a lane places in a round */
-  PACKING_I_POCKETS_SPARE = 2048, /* pockets one particle may make, and walls its images */
+  PACKING_I_LANE_QUOTA = 256, /* particles a lane places in a round */
+  PACKING_I_POCKETS_SPARE =
+      2048, /* pockets one particle may make, and walls its images */
   PACKING_I_BINS_SPARE = 64,
   PACKING_I_FRONT_PLANE = 0x7fffffff, /* wall number of the plane of discs */
   PACKING_I_POCKET_TRIES = 4,         /* times a curved wall may move a pocket */
@@ -96,11 +97,11 @@ typedef struct packing_i_front_lane {
   double volume;    /* theirs */
   uint32_t *outbox; /* new pockets at home in other tiles */
   size_t outbox_count, outbox_room;
-  size_t quota; /* this round */
+  size_t quota;       /* this round */
   double volume_left; /* this round; infinite: no limit */
-  uint32_t at_work; /* the tile being worked on */
-  uint32_t *todo;   /* tiles of this round */
-  size_t todo_count, todo_done;
+  uint32_t at_work;   /* the tile being worked on */
+  uint32_t *todo;     /* tiles of this round */
+  size_t todo_count, todo_room;
   int starved; /* stopped for want of memory; 2: of a larger halo */
   int met;     /* the volume asked is reached */
   uint64_t attempts;
@@ -116,16 +117,16 @@ typedef struct packing_i_pockets {
   unsigned periodic;
   packing_bounds bounds;
   packing_vec3 period;
+  int open_axis; /* of an open top; -1: none */
   int inward;
-  packing_vec3 innermost;
 
   /* lengths */
   double min_r, max_r, mean_r, reference_r, cap_r;
   double body_r; /* largest radius there is or may be */
-  double slack;    /* of rooms, in area */
-  double touch;    /* overlap that is rounding */
-  int curved;      /* walls are not flat */
-  int equal;       /* one size */
+  double slack;  /* of rooms, in area */
+  double touch;  /* overlap that is rounding */
+  int curved;    /* walls are not flat */
+  int equal;     /* one size */
 
   /* weights of the score */
   double second, third, order, balance;
@@ -134,7 +135,7 @@ typedef struct packing_i_pockets {
   int colour;
   int idle_colours; /* in a row, of this level */
   int colours;
-  int active; /* lanes at work in this round */
+  size_t active;  /* lanes at work in this round */
   uint32_t *live; /* tiles with pockets */
   size_t live_count, live_room;
 
@@ -167,7 +168,8 @@ int packing_i_front_wall_body(const packing_i_pockets *p, const packing_vec3 *or
                               packing_i_front_body *body);
 /* Adds the walls near origin + c to the halo. Returns 0 when there is no room. */
 int packing_i_front_walls_gather(const packing_i_pockets *p, const packing_vec3 *origin,
-                                 packing_vec3 c, double reach, packing_i_front_halo *halo);
+                                 packing_vec3 c, double reach,
+                                 packing_i_front_halo *halo);
 /* Whether the domain holds a ball, rounding forgiven. */
 int packing_i_front_holds(const packing_i_pockets *p, const packing_vec3 *c, double r);
 
@@ -192,7 +194,8 @@ double packing_i_pocket_score(const packing_i_pockets *p, packing_i_front_lane *
                               const packing_i_pocket *pocket, size_t *index);
 /* Puts a pocket into the lane's heap if it is due and fits; leaves it out when the heap is full:
  * the next visit finds it. */
-void packing_i_pocket_offer(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id);
+void packing_i_pocket_offer(packing_i_pockets *p, packing_i_front_lane *lane,
+                            uint32_t id);
 /* The best pocket; 0: none. */
 uint32_t packing_i_pocket_best(packing_i_pockets *p, packing_i_front_lane *lane,
                                size_t *index);
@@ -200,8 +203,8 @@ uint32_t packing_i_pocket_best(packing_i_pockets *p, packing_i_front_lane *lane,
 /* ---- front_place.c ---- */
 
 /* Fills a pocket with radius `index` of the stock, or drops it. 0: the lane is starved. */
-int packing_i_pocket_fill(packing_i_pockets *p, packing_i_front_lane *lane,
-                          uint32_t tile, uint32_t id, size_t index);
+int packing_i_pocket_fill(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t tile,
+                          uint32_t id, size_t index);
 /* Puts a sphere near `tile` where it is known to be free: grid, pockets, what the lane placed.
  * The lane has the room for it. 0: starved, and nothing is done. */
 int packing_i_front_put(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t tile,
@@ -223,17 +226,23 @@ packing_status packing_i_front_prepare_images(packing_i_pockets *p, uint32_t til
 
 /* ---- front_seed.c ---- */
 
-/* Places the first particles where nothing stands. Sets *placed to how many. */
-packing_status packing_i_front_seed(packing_i_pockets *p, size_t *placed);
+/* Enters the particles of the store. */
+packing_status packing_i_front_enter_store(packing_i_pockets *p);
+/* Places the first particles, until there are pockets or nothing more can be placed. */
+packing_status packing_i_front_seed(packing_i_pockets *p);
 
 /* ---- front_round.c ---- */
 
 /* One round; *done when there is nothing left to do. */
 packing_status packing_i_front_round(packing_i_pockets *p, int *done);
-/* Makes a tile and those around it ready to be worked on. */
+/* Makes a tile and those around it ready to be worked on, images included. */
 packing_status packing_i_front_prepare(packing_i_pockets *p, uint32_t tile);
-/* Takes over what a lane did. */
-packing_status packing_i_front_collect(packing_i_pockets *p, packing_i_front_lane *lane);
+/* Makes the tiles around one, and fills them. */
+packing_status packing_i_front_prepare_tile(packing_i_pockets *p, uint32_t tile);
+/* Takes over what a lane did; `stored`: its particle is index stored - 1 of the store, 0: its
+ * particles are new. */
+packing_status packing_i_front_collect(packing_i_pockets *p, packing_i_front_lane *lane,
+                                       size_t stored);
 
 /* Where a point is in the order of growth. */
 double packing_i_front_key(const packing_i_pockets *p, const packing_vec3 *c);

@@ -72,13 +72,13 @@ static packing_status make_live(packing_i_pockets *p, uint32_t tile)
 }
 
 static packing_status collect_one(packing_i_pockets *p, const packing_i_front_placed *q,
-                                  int stored)
+                                  size_t stored)
 {
   packing_placer *placer = p->placer;
   if (!q->image && !stored)
     PACKING_I_TRY(packing_i_placer_put(placer, q->centre, q->r, q->component));
   const uint32_t index =
-      stored ? (uint32_t)(stored - 1) : (uint32_t)(placer->particles->count - 1);
+      (uint32_t)((stored != 0 ? stored : placer->particles->count) - 1);
   unsigned k;
   packing_i_front_bin *bin = packing_i_front_bin_of(&p->grid, q->place, &k);
   bin->index[k] = index;
@@ -103,7 +103,7 @@ static packing_status bring_home(packing_i_pockets *p, uint32_t id)
 }
 
 packing_status packing_i_front_collect(packing_i_pockets *p, packing_i_front_lane *lane,
-                                       int stored)
+                                       size_t stored)
 {
   for (size_t n = 0; n < lane->placed_count; n++)
     PACKING_I_TRY(collect_one(p, lane->placed + n, stored));
@@ -155,7 +155,8 @@ static void muster(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t t)
 }
 
 /* Whether the particle that would come next is still asked for. */
-static int wants(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id, size_t index)
+static int wants(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id,
+                 size_t index)
 {
   if (!(lane->volume_left < HUGE_VAL))
     return 1;
@@ -217,8 +218,9 @@ static packing_status hand_out(packing_i_pockets *p, size_t *tiles)
     packing_i_front_lane *lane = p->lane + (*tiles)++ % p->active;
     if (lane->todo_count == lane->todo_room) {
       const size_t room = 2 * lane->todo_room + 64;
-      uint32_t *grown = packing_i_regrow(packing_i_allocator(p->placer->context), lane->todo,
-                                         lane->todo_count, room, sizeof *grown);
+      uint32_t *grown =
+          packing_i_regrow(packing_i_allocator(p->placer->context), lane->todo,
+                           lane->todo_count, room, sizeof *grown);
       if (grown == NULL)
         return packing_i_nomem(p->placer->context);
       lane->todo = grown;

@@ -35,7 +35,8 @@ int packing_i_front_wall_body(const packing_i_pockets *p, const packing_vec3 *or
   return 0;
 }
 
-static void add(packing_i_front_halo *halo, const packing_i_front_body *body, uint32_t wall)
+static void add(packing_i_front_halo *halo, const packing_i_front_body *body,
+                uint32_t wall)
 {
   const size_t n = halo->count++;
   halo->x[n] = body->p.x;

@@ -29,7 +29,8 @@ BELOW = {
 # Public headers named otherwise than their module.
 MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure", "order": "measure",
              "pores": "measure", "porosity": "measure", "sizes": "measure", "readers": "io",
-             "writers": "io", "front": "place", "loosen": "place", "tangency": "place"}
+             "writers": "io", "front": "place", "loosen": "place", "tangency": "place",
+             "solids": "domain"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},
