@@ -330,7 +330,7 @@ int forces_create(forces *f, packing_context *context, double density)
   packing_status status = create_material(f, density);
   if (status == PACKING_OK)
     status = create_laws(f);
-  return status == PACKING_OK ? 0 : program_field_status(context, status, "forces");
+  return status == PACKING_OK ? 0 : program_field_status(context, status, "forces", NULL);
 }
 
 void forces_free(forces *f)

@@ -30,10 +30,16 @@ int program_interrupted(void);
 int program_status(const packing_context *context, packing_status status,
                    const char *what);
 
-/* The same of a call whose fields have the names of options, with another hyphen: the line
- * begins with the option; `what` is for failures that name no field. */
+/* The option that stands for a field of the library. */
+typedef struct program_field {
+  const char *field, *option;
+} program_field;
+
+/* The same of a call whose fields are those of options: the line begins with the option. `rows`
+ * (the last with a NULL field; NULL: none) are the fields whose options have another name than
+ * theirs with hyphens; `what` is for failures that name no field. */
 int program_field_status(const packing_context *context, packing_status status,
-                         const char *what);
+                         const char *what, const program_field *rows);
 
 /* Memory or the end of the program: for the small things that are read from the command
  * line, before any work starts. */

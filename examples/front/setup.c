@@ -13,27 +13,14 @@ const char front_program[] = "packing-front";
 
 int front_status(const front_job *job, packing_status status)
 {
-  static const struct {
-    const char *field, *option;
-  } rows[] = {{"count", "--count"},
-              {"volume_fraction", "--target-porosity"},
-              {"select_particle", "--select"},
-              {"select_neighbours", "--select"},
-              {"contact", "--contact"},
-              {"stock", "--stock"},
-              {"classes", "--list"},
-              {"regions", "--grade"},
-              {"mode", "--mode"},
-              {"direction", "--direction"},
-              {"psd", "--psd"},
-              {"domain", "--domain"},
-              {"particles", "--in"}};
-  const char *message = packing_context_message(job->context);
-  const size_t length = strcspn(message, ":[");
-  for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
-    if (strlen(rows[i].field) == length && strncmp(message, rows[i].field, length) == 0)
-      return program_status(job->context, status, rows[i].option);
-  return program_status(job->context, status, "front");
+  static const program_field rows[] = {{"volume_fraction", "--target-porosity"},
+                                       {"select_particle", "--select"},
+                                       {"select_neighbours", "--select"},
+                                       {"classes", "--list"},
+                                       {"regions", "--grade"},
+                                       {"particles", "--in"},
+                                       {NULL, NULL}};
+  return program_field_status(job->context, status, "front", rows);
 }
 
 /* ---- container and sizes ---- */
