@@ -95,10 +95,11 @@ packing_domain_combination_def_init(packing_domain_combination_def *def)
  *
  *  Inside, the signed distance is that to the nearest wall of the combination, seams between
  *  the two containers included. It is exact where the nearest wall is that of one of them; near
- *  seams it is too small by at most 1e-9 of itself, or, beside the walls of custom containers,
- *  meshes and corners of polygons, by at most what 4000 cells of space leave open: never too
- *  large, so that no particle protrudes. A particle may straddle a seam that the union covers;
- *  gaps between the two as narrow as the rounding of a coordinate are no gaps. Outside the
+ *  seams it is too small by 1e-9 of itself, or, where a piece of a seam is nearly equally far
+ *  all along and beside the walls of custom containers, meshes and corners of polygons, by what
+ *  some 1400 cells of space leave open: never too large, so that no particle protrudes. A
+ *  particle may straddle a seam that the union covers; gaps between the two as narrow as the
+ *  rounding of a coordinate are no gaps. Outside the
  *  distance is never too large in size (as that of a custom container).
  *
  *  The volume is exact where both are boxes, rectangles, spheres or circles, or one of them is

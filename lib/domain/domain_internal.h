@@ -28,6 +28,10 @@ typedef struct packing_i_domain_ops {
   const char *reference;
   double (*signed_distance)(const packing_i_domain_body *body, const packing_vec3 *point,
                             packing_vec3 *normal); /* `normal` may be NULL */
+  /* A cheaper function that is positive inside, 0 at the same walls, and changes no faster: what
+   * volumes by subdivision ask for. NULL: signed_distance. */
+  double (*side)(const packing_i_domain_body *body, const packing_vec3 *point,
+                 packing_vec3 *normal);
   /* signed_distance >= r, the cheap way; NULL: no cheaper way. */
   int (*holds)(const packing_i_domain_body *body, const packing_vec3 *centre, double r);
   /* packing_i_domain_near_walls(). */
@@ -88,10 +92,26 @@ typedef struct packing_i_custom {
   packing_domain *root; /* of an inset: the domain that owns the user's data; else NULL */
 } packing_i_custom;
 
+/* Edges, a tree over them, and what an inset took off. */
+typedef struct packing_i_polygon {
+  const struct packing_i_polygon_data *data;
+  double inset;
+  packing_domain *root; /* of an inset: the domain that owns the data; else NULL */
+} packing_i_polygon;
+
+/* Two containers and how they are combined. */
+typedef struct packing_i_combination {
+  const struct packing_i_combination_data *data;
+  double inset;
+  double volume_tolerance;
+  packing_domain *root; /* of an inset: the domain that owns the data; else NULL */
+} packing_i_combination;
+
 struct packing_i_domain_body {
   const packing_i_domain_ops *ops;
   int dim;
   unsigned periodic;     /* sum of PACKING_PERIODIC_ */
+  int walls;             /* the numbers of near walls are below this */
   int open_axis;         /* the open top is the high side of the bounds here; -1: none */
   double volume;         /* of the region */
   packing_bounds bounds; /* of the region */
@@ -101,6 +121,8 @@ struct packing_i_domain_body {
     packing_i_revolution revolution;
     packing_i_round round;
     packing_i_custom custom;
+    packing_i_polygon polygon;
+    packing_i_combination combination;
   } as;
 };
 
@@ -132,7 +154,11 @@ double packing_i_revolution_inner(const packing_i_revolution *p, double h);
  * The numbers: of box and rectangle 2 k for the low and 2 k + 1 for the high side of axis k; of
  * cylinder, tube, cone and silo those of packing_i_revolution.wall; of sphere, circle and
  * annulus 0 for the outer and 1 for the inner wall; a custom container has one wall, the nearest,
- * 0. A number stays that of its wall wherever the point is. On the axis or in the centre of a
+ * 0; of a polygon of n vertices i for the edge from vertex i, and n + i for vertex i where that is
+ * a wall of its own (a corner that bends into the container); of a combination those of the
+ * first container, then those of the second one behind them, then one for the nearest seam. Of
+ * more than PACKING_I_NEAR_WALLS walls of polygons and combinations the nearest are given, nearest
+ * first. A number stays that of its wall wherever the point is. On the axis or in the centre of a
  * round wall, which is equally near all around, one direction stands for all. Thread-safe,
  * constant time. */
 static inline int

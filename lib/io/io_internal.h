@@ -26,6 +26,7 @@ extern const packing_i_format packing_i_format_yade;
 extern const packing_i_format packing_i_format_xyz;
 extern const packing_i_format packing_i_format_curve;
 extern const packing_i_format packing_i_format_sample;
+extern const packing_i_format packing_i_format_polygon;
 
 /* All of them, NULL at the end. */
 extern const packing_i_format *const packing_i_formats[];
@@ -184,7 +185,7 @@ typedef struct packing_i_table_spec {
   packing_i_table_kind kind;
 } packing_i_table_spec;
 
-enum { PACKING_I_TABLE_COLUMNS = 32 };
+enum { PACKING_I_TABLE_COLUMNS = 32, PACKING_I_TABLE_BLANK = 2 };
 
 typedef struct packing_i_table {
   packing_i_lines lines;
@@ -193,6 +194,7 @@ typedef struct packing_i_table {
   unsigned columns;                  /* that stand in this one */
   uint8_t spec_of[PACKING_I_TABLE_COLUMNS];
   uint32_t present; /* bit s: column of spec s */
+  int takes_blanks; /* a blank line is a row of its own: *got is PACKING_I_TABLE_BLANK */
 } packing_i_table;
 
 packing_status packing_i_table_begin(packing_i_table *table, packing_context *context,
