@@ -4,7 +4,7 @@
 Morales, R. Rosello Valera, C. Recarey Morfa et al.
 
     doc/results/front.py [--build build] [--work build/results-front] [--only PART,...]
-        [--scale 1] [--threads 2]
+        [--scale 1] [--threads 2] [--limit 3600]
 
 Needs python3-numpy and python3-matplotlib. Runs go one after the other, for they are timed; what was
 made is kept in the work folder, keyed by the options and by the bytes of program and library, so an
@@ -41,6 +41,8 @@ def read_options():
     p.add_argument("--scale", type=float, default=1,
                    help="share of the particles, below 1 for a trial")
     p.add_argument("--threads", type=int, default=2, help="of the largest packs, default 2")
+    p.add_argument("--limit", type=float, default=3600, metavar="SECONDS",
+                   help="a run that takes longer is stopped and told as such, default an hour")
     p.add_argument("--out", help="the file, default front.md beside this script")
     return p.parse_args()
 
@@ -122,7 +124,7 @@ def main():
         sys.exit(f"--only: no part {', '.join(sorted(unknown))}; there are {', '.join(PARTS)}")
     trial = arguments.scale != 1
     work = pathlib.Path(arguments.work) / (f"trial-{arguments.scale:g}" if trial else "full")
-    maker = grown.Maker(arguments.build, work, arguments.scale)
+    maker = grown.Maker(arguments.build, work, arguments.scale, arguments.limit)
     for program in maker.programs.values():
         if not os.access(program, os.X_OK):
             sys.exit(f"{program} is missing: meson setup build --buildtype=release && "

@@ -21,7 +21,8 @@ def number(value, form=".4f"):
 
 def row(pack):
     ks = pack["psd.ks"]
-    return [count(pack["particles"]), number(pack["volume_fraction"]),
+    return [count(pack["particles"]) + " (stopped)" * pack.stopped,
+            number(pack["volume_fraction"]),
             number(pack["volume_fraction_inner"]), number(pack["coordination.mean"], ".3f"),
             number(pack["time.place"], ".2f"), number(pack["rate"], ".3g"),
             "-" if ks is None else f"{ks:.4f} ({pack['psd.ks_limit']:.4f})",
@@ -222,9 +223,14 @@ def bead_packs(maker, name, by, mode, more=(), packs=30):
     wide = 40 * mean_d * (maker.scale ** (1 / 3) if maker.scale < 1 else 1)
     domain = f"cylinder:{short(wide / 2)},{short(wide)}"
     psd = f"curve:{grown.DATA / f'{name}.csv'},by={by}"
-    return [maker.front("--domain", domain, "--psd", psd, "--mode", mode, "--stream", str(k), *more,
-                        outs=(("--out", "pack.csv"),) if k == 0 else ())
-            for k in range(maker.number(packs))]
+    made = []
+    for k in range(maker.number(packs)):
+        made.append(maker.front("--domain", domain, "--psd", psd, "--mode", mode, "--stream", str(k),
+                                *more, outs=(("--out", "pack.csv"),) if k == 0 else (),
+                                short=bool(more)))
+        if made[-1].stopped:
+            break
+    return made
 
 
 def curve_errors(maker, pack, name, by):
@@ -267,14 +273,19 @@ def beads(maker, _):
 
 
 def bead_row(maker, packs, lab):
-    e = [pack["void_ratio"] for pack in packs]
-    sizes = sum(pack["psd.ks"] <= pack["psd.ks_limit"] for pack in packs)
+    whole = [pack for pack in packs if not pack.stopped]
+    if len(whole) < 2:
+        last = packs[-1]
+        return [str(len(whole)), f"stopped after {last['time.place']:.0f} s",
+                count(last["particles"]) + " by then", "-", "-"]
+    e = [pack["void_ratio"] for pack in whole]
+    sizes = sum(pack["psd.ks"] <= pack["psd.ks_limit"] for pack in whole)
     said = maker.compare("--summary", f"lab={lab[0]},{lab[1]},{lab[2]}", "--summary",
                          f"packs={stats.mean(e):.12g},{max(stats.deviation(e), 1e-9):.12g},{len(e)}",
                          "--test", "welch")
     p = said.rsplit("p ", 1)[-1].split()[0].rstrip(",;.") if "p " in said else "-"
     return [str(len(e)), f"{stats.mean(e):.4f} ({stats.deviation(e):.4f})",
-            count(round(stats.mean([pack["particles"] for pack in packs]))),
+            count(round(stats.mean([pack["particles"] for pack in whole]))),
             f"{sizes} of {len(e)}", p]
 
 

@@ -171,7 +171,7 @@ def directions(maker, _):
 
 def wall_profile(measured, r):
     """Distance from the mantle in mean radii, and porosity, from the wall inwards."""
-    found = measured.report["profiles"][0]
+    found = measured.report["measures"]["profiles"][0]
     middle = [(a + b) / 2 for a, b in zip(found["from"], found["to"])]
     return r - numpy.array(middle)[::-1], numpy.array(found["porosities"], float)[::-1]
 

@@ -5,9 +5,11 @@ import csv
 import datetime
 import hashlib
 import json
+import math
 import pathlib
 import re
 import shlex
+import signal
 import subprocess
 import sys
 import time
@@ -20,6 +22,9 @@ HERE = pathlib.Path(__file__).resolve().parent.parent
 DATA = HERE / "data"
 
 
+STOPPED = 130
+
+
 class Pack:
     """A finished run: its report, its folder, the command that makes it."""
 
@@ -27,6 +32,11 @@ class Pack:
         self.folder, self.options = folder, options
         self.report = json.loads((folder / "report.json").read_text())
         self.record = json.loads((folder / "done.json").read_text())
+
+    @property
+    def stopped(self):
+        """Whether it took too long and is a part of a pack."""
+        return self.record["exit"] == STOPPED
 
     def __getitem__(self, key):
         """A number by its dotted key, None where it is null."""
@@ -37,26 +47,32 @@ class Pack:
 
     def command(self):
         """As one would type it in the root of the source."""
-        words = [re.sub(r"(curve|mesh):\S*/doc/results/", r"\1:doc/results/", word)
+        words = [re.sub(r"^mesh:\S*/", "mesh:", word).replace(f"{HERE.parent.parent}/", "")
                  for word in self.options]
-        words = [re.sub(r"mesh:\S*/(\w+\.\w+)", r"mesh:\1", word) for word in words]
         return shlex.join(["packing-front", *words])
 
     def rows(self, name="pack.csv"):
-        """Columns of a table by name."""
+        """Columns of a table by name; words become NaN."""
         with open(self.folder / name, encoding="ascii") as file:
             rows = csv.reader(line for line in file if not line.startswith("#"))
             header = next(rows)
-            table = numpy.array(list(rows), dtype=float)
+            table = numpy.array([[value_of(word) for word in row] for row in rows])
         return {name: table[:, k] for k, name in enumerate(header)}
 
 
+def value_of(word):
+    try:
+        return float(word)
+    except ValueError:
+        return math.nan
+
+
 class Maker:
-    def __init__(self, build, work, scale):
+    def __init__(self, build, work, scale, limit):
         self.programs = {name: str(pathlib.Path(build) / "examples" / name) for name in
                          ("packing-front", "packing-measure", "packing-compare")}
         self.library = runs.library_hash(self.programs["packing-front"])
-        self.work, self.scale = pathlib.Path(work), scale
+        self.work, self.scale, self.limit = pathlib.Path(work), scale, limit
         self.work.mkdir(parents=True, exist_ok=True)
         self.values = {}
         self.fresh = True  # False: what is not there yet stays away
@@ -112,16 +128,31 @@ class Maker:
             command += [option, str(folder / name)]
         print("  " + shlex.join([program, *options]), file=sys.stderr, flush=True)
         start = time.monotonic()
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        code, said = self.run(command)
         seconds = time.monotonic() - start
-        if done.returncode not in good:
-            raise SystemExit(f"{shlex.join(command)}\nexit {done.returncode}\n{done.stderr}")
-        print(f"    {seconds:.1f} s {done.stderr.strip()}", file=sys.stderr, flush=True)
-        record = {"exit": done.returncode, "message": done.stderr, "seconds": seconds,
+        if code not in (*good, STOPPED) or not (folder / "report.json").exists():
+            raise SystemExit(f"{shlex.join(command)}\nexit {code}\n{said}")
+        print(f"    {seconds:.1f} s {said.strip()}", file=sys.stderr, flush=True)
+        record = {"exit": code, "message": said, "seconds": seconds,
                   "date": str(datetime.date.today())}
         temporary = folder / "done.json.new"
         temporary.write_text(json.dumps(record) + "\n")
         temporary.rename(folder / "done.json")
+
+    def run(self, command):
+        """Exit code and what was said; a run over the limit is told to stop, and leaves what it
+        has placed."""
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              text=True) as running:
+            try:
+                said = running.communicate(timeout=self.limit)[1]
+            except subprocess.TimeoutExpired:
+                running.send_signal(signal.SIGINT)
+                said = running.communicate()[1]
+            except BaseException:
+                running.kill()
+                raise
+        return running.returncode, said
 
     def compare(self, *options):
         """The summary that packing-compare prints."""
