@@ -5,7 +5,7 @@ import math
 
 import numpy
 
-from making import grown, solids, stats
+from making import grown, stats, stl
 
 MODES = ("paper", "fast", "dense")
 ROW = ["N", "whole", "inner", "Z", "time [s]", "particles/s", "KS (limit)", "overlap"]
@@ -291,27 +291,27 @@ def bead_row(maker, packs, lab):
 
 # ---- Figures 23 to 25: meshes ----
 
-# shape, file, paper's figure, paper's N and fraction, radii, their mean r^3
+# shape, paper's figure, paper's N and fraction, radii, their mean r^3
 CUT_NORMAL = "normal:0.3,0.0333,0.2,0.4"
 CUT_UNIFORM = "uniform:0.2,0.4"
-MESHES = [("building", "building.stl", "Figure 24", 1383973, 0.49, CUT_NORMAL, 0.0279),
-          ("bridge", "bridge.obj", "Figure 24", 6399991, 0.53, CUT_NORMAL, 0.0279),
-          ("gear", "gear.ply", "Figure 25, tool", 3778952, 0.54, CUT_UNIFORM, 0.03),
-          ("bone", "bone.stl", "Figure 23, hip", 349748, None, CUT_UNIFORM, 0.03)]
+MESHES = [("building", "Figure 24", 1383973, 0.49, CUT_NORMAL, 0.0279),
+          ("bridge", "Figure 24", 6399991, 0.53, CUT_NORMAL, 0.0279),
+          ("part", "Figure 25, tool", 3778952, 0.54, CUT_UNIFORM, 0.03),
+          ("bone", "Figure 23, hip", 349748, None, CUT_UNIFORM, 0.03)]
 
 
 def mesh_file(maker, name):
     """The shape scaled so that the paper's count is the paper's fraction of it."""
-    shape, file, _, n, fraction, _, cube_mean = next(row for row in MESHES if row[0] == name)
+    _, _, n, fraction, _, cube_mean = next(row for row in MESHES if row[0] == name)
     volume = n * 4 / 3 * math.pi * cube_mean / (fraction or 0.53) * maker.scale
-    path = maker.work / f"{short(volume)}-{file}"
+    path = maker.work / f"{name}-{short(volume)}.stl"
     if not path.exists():
-        solids.write(path, *solids.make(shape, volume))
+        stl.make(name, volume, path)
     return path
 
 
 def mesh_pack(maker, name, mode, arguments, outs=()):
-    psd = next(row[5] for row in MESHES if row[0] == name)
+    psd = next(row[4] for row in MESHES if row[0] == name)
     path = mesh_file(maker, name)
     return maker.front("--domain", f"mesh:{path}", "--psd", psd, "--mode", mode,
                        threads=arguments.threads, outs=outs, depends=[path])
@@ -319,16 +319,16 @@ def mesh_pack(maker, name, mode, arguments, outs=()):
 
 def meshes(maker, arguments):
     rows, pictures = [], []
-    for name, file, figure, n, fraction, psd, _ in MESHES:
+    for name, figure, n, fraction, psd, _ in MESHES:
         rows.append([f"paper, {figure}", "", count(n), number(fraction, ".2f")] + ["-"] * 6)
         for mode in ("fast", "dense"):
             outs = (("--out", "pack.png"),) if mode == "dense" else ()
             pack = mesh_pack(maker, name, mode, arguments, outs)
-            rows.append([f"{name} ({file})", f"{mode}, {psd}"] + row(pack))
+            rows.append([name, f"{mode}, {psd}"] + row(pack))
         keep_image(maker, pack, "pack.png", f"front-{name}.png")
         pictures.append(f"![{name}](../images/front-{name}.png)")
     return ("The paper's meshes are not published. Ours are made by `making/solids.py`: a building "
-            "with rooms, windows and a court, a bridge of five arches, a gear with a bore, a bone; "
+            "with rooms and windows, an arch bridge, a gear with a hub and a bore (part), a bone; "
             "each has the volume that makes the paper's count the paper's fraction of it, so the "
             "ratio of mesh to radius is comparable. Radii as in the paper: normal in [0.2, 0.4] "
             "(mean 0.3, deviation 0.0333: ours) or uniform. No sphere may protrude: the audit says "
