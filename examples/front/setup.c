@@ -39,7 +39,9 @@ static int create_container(front_job *job)
   int code = read_container(job);
   if (!code && job->spec.kind == DOMAIN_NONE)
     code = BAD("--domain is missing: %s tells none", job->asked->in.path);
-  return code ? code : domain_spec_create(job->context, &job->spec, &job->domain);
+  return code ? code
+              : domain_spec_create_noting(job->context, &job->spec, &job->input,
+                                          &job->domain);
 }
 
 /* SIZES@CONTAINER: a file's name may have the sign too, a container's modifiers have not. */
@@ -62,7 +64,7 @@ static int create_grade(front_job *job, front_grade *g)
     code = BAD("--grade: %s has %d dimensions, the container %d", g->where, g->spec.dim,
                job->spec.dim);
   if (!code)
-    code = domain_spec_create(job->context, &g->spec, &g->domain);
+    code = domain_spec_create_noting(job->context, &g->spec, &job->input, &g->domain);
   return code ? code
               : psd_spec_create(job->context, g->sizes, job->spec.dim, &g->psd,
                                 &job->input);

@@ -54,7 +54,7 @@ static inline void packing_loosen_def_init(packing_loosen_def *def)
  *  \return PACKING_OK; PACKING_ERR_INVALID; PACKING_ERR_RANGE (how; volume_fraction: above that
  *          of the pack, not > 0, or so small that radii vanish; dimensions that differ);
  *          PACKING_ERR_NOMEM; PACKING_ERR_ABI
- *  Cost: shrinking two passes; removing a sort, and 41 bytes a particle meanwhile. */
+ *  Cost: linear; removing takes 41 bytes a particle meanwhile. */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_loosen(
     packing_context *context, const packing_loosen_def *def, const packing_domain *domain,
     packing_particles *particles, double *reached);

@@ -14,6 +14,7 @@
 #include <packing/io.h>
 #include <packing/loosen.h>
 #include <packing/measure.h>
+#include <packing/mesh.h>
 #include <packing/order.h>
 #include <packing/particles.h>
 #include <packing/placer.h>

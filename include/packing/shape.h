@@ -26,8 +26,10 @@ typedef struct packing_body {
   const packing_domain
       *domain; /**< not NULL: the body is a wall of this container, and the
        fields above do not count */
-  int wall; /**< of a wall: which of the container's walls, as the placers number them; -1:
-       the nearest one */
+  /** Of a wall: which of the container's, -1 the nearest one. Of box and rectangle 2 k is the low
+   *  and 2 k + 1 the high side of axis k; of sphere, circle and annulus 0 the outer and 1 the
+   *  inner wall; others count theirs from 0. */
+  int wall;
 } packing_body;
 
 /** A sphere (disc) as a body.
@@ -146,7 +148,9 @@ PACKING_API double packing_body_wall_gap(const packing_body *a,
 PACKING_API int packing_body_overlap(const packing_body *a, const packing_body *b);
 
 /** The directional distance (seed paper, equations 4 to 10): how far `a` can go along
- *  `direction` until it touches `b`.
+ *  `direction` until it touches `b`. Bodies that touch or overlap already: 0 where `a` moves
+ *  nearer. Closed forms for spheres and the walls of built-in containers; else from the gap, to
+ *  rounding, yet a touch as short as 2^-16 of the radius of `a` may be passed.
  *  \param a a particle, apart from b or touching it
  *  \param b a particle or a wall
  *  \param direction unit vector

@@ -5,7 +5,8 @@
 /** \file packing/tangency.h
  *  Placing a particle in contact with others by moving it without turning: Problem 1 of the
  *  seed paper (section 3.4). Two bodies are given in the plane, three in space; there are two
- *  places, one or none.
+ *  places, one or none. First comes the one from which bodies 0, 1 and 2 turn counter-clockwise; in
+ *  the plane, the one to the right of the way from body 0 to body 1.
  *
  *  A method is a descriptor; those of the library are packing_contact_method_named(). A host may
  *  make its own. */
@@ -19,7 +20,8 @@ typedef struct packing_contact_task {
   size_t struct_size;    /**< set by packing_contact_task_init() */
   int dim;               /**< 2 or 3: so many bodies are to be touched */
   packing_body mobile;   /**< its centre does not count */
-  packing_body fixed[3]; /**< particles or walls, at least one of them a particle */
+  packing_body fixed[3]; /**< particles or walls, at least one of them a particle; in
+       periodic cells the images that are meant; in two dimensions z is 0 */
 } packing_contact_task;
 
 /** Makes an empty task.
@@ -43,21 +45,24 @@ typedef struct packing_contact_method {
 } packing_contact_method;
 
 /** Intersects the wrappers: the surfaces on which the centre lies while the particle touches one
- *  body (section 3.4.1). Exact; spheres, discs and walls.
+ *  body (section 3.4.1). Exact, gaps are 0 to rounding; spheres, discs and walls. A particle that
+ *  just fits between the bodies has one place.
  *  \return a constant */
 PACKING_API const packing_contact_method *packing_contact_wrappers(void);
 
-/** Minimises the sum of the sizes of the gaps (section 3.4.2, equation 2), from a start on either
- *  side. Exact; every shape.
+/** Minimises the sizes of the gaps (section 3.4.2, equation 2), from starts on either side. Exact,
+ *  gaps are at most 1e-12 of the particle's radius (or 8 rounding units of the coordinates); every
+ *  shape.
  *  \return a constant */
 PACKING_API const packing_contact_method *packing_contact_potential(void);
 
 /** Bisects along the line through the middle of the bodies (section 3.4.3, equation 3). Every
- *  shape; at least one body is touched.
+ *  shape; at least one body is touched, to 2^-40 of the particle's radius, and none is overlapped.
+ *  With walls the line runs along them.
  *  \return a constant */
 PACKING_API const packing_contact_method *packing_contact_binary(void);
 
-/** Moves along the same line by the least directional distance (section 3.4.4, equations 4 to
+/** Moves along the same line by the least directional distance (section 3.4.3, equations 4 to
  *  10). Every shape; at least one body is touched.
  *  \return a constant */
 PACKING_API const packing_contact_method *packing_contact_direct(void);
@@ -67,7 +72,7 @@ PACKING_API const packing_contact_method *packing_contact_direct(void);
  *  \return a constant; NULL for other names. Thread-safe */
 PACKING_API const packing_contact_method *packing_contact_method_named(const char *name);
 
-/** Places a particle.
+/** Places a particle. Nothing is allocated.
  *  \param method the method
  *  \param task what is asked
  *  \param[out] centre up to two places [L]

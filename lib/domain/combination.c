@@ -15,6 +15,10 @@
 #include "polygon_internal.h"
 #include <math.h>
 
+enum { NEWTON_STEPS = 12 };
+/* Relative error of the volume of an inset, at best. */
+static const double inset_tolerance = 1e-3;
+
 static double half_of_cube(const packing_i_domain_body *body, const packing_vec3 *point,
                            double inset)
 {
@@ -44,6 +48,87 @@ static double bound(const packing_i_combination_data *data, const packing_vec3 *
   return d;
 }
 
+/* A wall of a part as a half space round a point: outside is where normal . (x - at) + value <= 0. */
+typedef struct half_space {
+  packing_vec3 normal;
+  double value;
+} half_space;
+
+static half_space half_space_at(const packing_i_combination_data *data, int part,
+                                const packing_vec3 *at)
+{
+  half_space h;
+  const packing_i_domain_body *body = data->part[part];
+  const double sign = data->is_taken[part] ? -1 : 1;
+  h.value = sign * body->ops->signed_distance(body, at, &h.normal);
+  h.normal = packing_i_scale(h.normal, sign);
+  return h;
+}
+
+/* The foot of p on the seam of two parts, by Newton's method from `foot`. 0: they are parallel. */
+static int find_seam(const packing_i_combination_data *data, const int part[2],
+                     const packing_vec3 *p, packing_vec3 *foot)
+{
+  for (int i = 0; i < NEWTON_STEPS; i++) {
+    const half_space a = half_space_at(data, part[0], foot);
+    const half_space b = half_space_at(data, part[1], foot);
+    const packing_vec3 way = packing_i_sub(*p, *foot);
+    const double v = packing_i_dot(a.normal, way) + a.value;
+    const double w = packing_i_dot(b.normal, way) + b.value;
+    const double k = packing_i_dot(a.normal, b.normal), sine2 = (1 - k) * (1 + k);
+    if (!(sine2 > 1e-6))
+      return 0;
+    const packing_vec3 next =
+        packing_i_sub(*p, packing_i_add(packing_i_scale(a.normal, (v - k * w) / sine2),
+                                        packing_i_scale(b.normal, (w - k * v) / sine2)));
+    const double step = packing_i_norm(packing_i_sub(next, *foot));
+    *foot = next;
+    if (step <= 1e-12 * packing_i_norm(way))
+      return 1;
+  }
+  return 1;
+}
+
+/* A point outside that is near p, whose bound comes from `part` with its foot at *foot: on the
+ * seam with the part that the foot lies in. 0: there is none so simple. */
+static int find_outside(const packing_i_combination_data *data, const packing_vec3 *p,
+                        int part, packing_vec3 *foot, double *distance)
+{
+  int both[2] = {part, 0};
+  packing_vec3 q = *foot;
+  bound(data, &q, NULL, &both[1]);
+  if (both[0] == both[1] || !find_seam(data, both, p, &q))
+    return 0;
+  *distance = packing_i_norm(packing_i_sub(*p, q));
+  if (!packing_i_vec_finite(q) ||
+      bound(data, &q, NULL, &both[1]) > data->blur + 1e-10 * *distance)
+    return 0;
+  *foot = q;
+  return 1;
+}
+
+/* Of an inset, for volumes alone: near seams that found by Newton's method is taken for the
+ * nearest, without a search that proves it. */
+static double side_of_inset(const packing_i_combination *c, const packing_vec3 *p,
+                            packing_vec3 *normal)
+{
+  packing_vec3 away;
+  double distance;
+  int part;
+  const double d = bound(c->data, p, &away, &part);
+  packing_vec3 foot = packing_i_sub(*p, packing_i_scale(away, d));
+  if (normal != NULL)
+    *normal = away;
+  if (d >= c->inset || !(d > 0) || !c->data->has_seams ||
+      packing_i_is_wall_at(c->data, part, &foot))
+    return d - c->inset;
+  if (!find_outside(c->data, p, part, &foot, &distance))
+    return d - c->inset;
+  if (normal != NULL && distance > 0)
+    *normal = packing_i_scale(packing_i_sub(*p, foot), 1 / distance);
+  return distance - c->inset;
+}
+
 static double side(const packing_i_domain_body *body, const packing_vec3 *point,
                    packing_vec3 *normal)
 {
@@ -52,8 +137,7 @@ static double side(const packing_i_domain_body *body, const packing_vec3 *point,
   int part;
   if (body->dim == 2)
     p.z = 0;
-  return c->inset > 0 ? body->ops->signed_distance(body, &p, normal)
-                      : bound(c->data, &p, normal, &part);
+  return c->inset > 0 ? side_of_inset(c, &p, normal) : bound(c->data, &p, normal, &part);
 }
 
 /* The distance from the walls of the combination itself; *foot is where. */
@@ -75,7 +159,10 @@ static double whole_distance(const packing_i_domain_body *body, const packing_ve
     return d;
   packing_vec3 found = *foot;
   const double half = half_of_cube(body, &p, c->inset);
-  if (!packing_i_search(data, body->dim, &p, half, &searched, &found) ||
+  double known = HUGE_VAL;
+  if (!find_outside(data, &p, part, &found, &known))
+    known = HUGE_VAL;
+  if (!packing_i_search(data, body->dim, &p, half, known, &searched, &found) ||
       !(searched > d) || !isfinite(searched))
     return d;
   const packing_vec3 way = packing_i_sub(p, found);
@@ -184,7 +271,8 @@ static packing_status inset(packing_context *context, packing_i_domain_body *bod
 {
   packing_i_combination *c = &body->as.combination;
   c->inset += d;
-  return packing_i_custom_inset(context, body, d, c->volume_tolerance);
+  return packing_i_custom_inset(context, body, d,
+                                fmax(c->volume_tolerance, inset_tolerance));
 }
 
 int packing_i_by_parts(const packing_domain *domain, packing_i_measure measure,

@@ -166,16 +166,18 @@ static void split(search *s, const cell *c)
 }
 
 int packing_i_search(const packing_i_combination_data *data, int dim,
-                     const packing_vec3 *point, double half, double *distance,
-                     packing_vec3 *foot)
+                     const packing_vec3 *point, double half, double known,
+                     double *distance, packing_vec3 *foot)
 {
   search s;
   s.data = data;
   s.dim = dim;
-  s.count = s.found = 0;
+  s.count = 0;
+  s.found = known < HUGE_VAL;
   s.made = 1;
   s.point = *point;
-  s.upper = HUGE_VAL;
+  s.upper = known;
+  s.foot = *foot;
   push(&s, (cell){*point, half, 0, 0});
   *distance = HUGE_VAL;
   for (int cells = 0; s.count > 0; cells++) {

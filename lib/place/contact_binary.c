@@ -64,7 +64,7 @@ static int place_on_side(const packing_contact_task *task, int side, packing_vec
 {
   packing_i_touch_line line;
   double lo, hi;
-  if (!packing_i_touch_line_of(task, side, &line) ||
+  if (!packing_i_touch_line_of(task, side, &line) || !line.is_free ||
       !first_overlap(task, &line, &lo, &hi))
     return 0;
   const double enough = tolerance * task->mobile.r / line.length;

@@ -10,7 +10,7 @@
 static int place_on_side(const packing_contact_task *task, int side, packing_vec3 *x)
 {
   packing_i_touch_line line;
-  if (!packing_i_touch_line_of(task, side, &line))
+  if (!packing_i_touch_line_of(task, side, &line) || !line.is_free)
     return 0;
   const packing_body mobile = packing_i_touch_mobile(task, &line, 1);
   const packing_vec3 down = packing_i_scale(line.along, -1);

@@ -8,8 +8,8 @@
  * and none of the kinks, by Levenberg and Marquardt's method, whose last steps are Newton's on the
  * gaps. A place counts where every gap is at most 1e-12 of the mobile radius (or 8 rounding
  * units). Each side is started where spheres around the bodies would stop a particle that comes
- * along the line of section 3.4.3, and above the smallest of them; with other shapes also near c_m
- * and at c_0.
+ * along the line of section 3.4.3, and above the smallest of them; with walls and other shapes also
+ * near c_m and at c_0.
  *
  * Cost: 5 to 20 times 3 gaps a start, 7 times as many for shapes without gradients. */
 #include "touch_internal.h"
@@ -49,7 +49,7 @@ static packing_vec3 above_smallest(const packing_contact_task *task,
                        packing_i_scale(line->along, least->r + task->mobile.r));
 }
 
-/* Other shapes than spheres are started from two more points. */
+/* Walls and other shapes than spheres have two more starts. */
 static int place_on_side(const packing_contact_task *task, int side, packing_vec3 *x)
 {
   packing_i_touch_line line;
@@ -60,7 +60,8 @@ static int place_on_side(const packing_contact_task *task, int side, packing_vec
       packing_i_touch_mobile(task, &line, stop_of(task, &line)).centre,
       above_smallest(task, &line), packing_i_touch_mobile(task, &line, near).centre,
       packing_i_touch_mobile(task, &line, 1).centre};
-  const int starts = packing_i_touch_all_round(task) ? 2 : 4;
+  const int simple = packing_i_touch_all_round(task) && !packing_i_touch_has_walls(task);
+  const int starts = simple ? 2 : 4;
   for (int i = 0; i < starts; i++) {
     *x = start[i];
     if (packing_i_touch_descend(task, x) && is_on_side(&line, *x, task->mobile.r))

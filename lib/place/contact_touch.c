@@ -7,8 +7,8 @@
 
 enum { POLISH_STEPS = 4, DESCENT_STEPS = 250 };
 
-/* Places nearer to each other than this share of the mobile radius are one. */
-static const double same_place = 0x1p-22;
+/* Of a radius: places farther apart are two. */
+static const double near_place = 0x1p-6;
 
 /* A descent that wins less than this share of the squares in a step has come to its end. */
 static const double standstill = 0x1p-30;
@@ -32,19 +32,37 @@ int packing_i_touch_all_round(const packing_contact_task *task)
   return task->mobile.shape == NULL;
 }
 
-packing_vec3 packing_i_touch_towards(const packing_contact_task *task, int index,
-                                     packing_vec3 from)
+int packing_i_touch_has_walls(const packing_contact_task *task)
 {
-  if (index == 2 && task->dim == 2)
-    return packing_i_vec(0, 0, 1);
-  const packing_body *body = &task->fixed[index];
-  if (body->domain == NULL)
-    return packing_i_sub(body->centre, from);
+  for (int i = 0; i < task->dim; i++)
+    if (task->fixed[i].domain != NULL)
+      return 1;
+  return 0;
+}
+
+static int sees_walls(const packing_contact_task *task, packing_vec3 from)
+{
   packing_body mobile = task->mobile;
-  packing_vec3 normal;
   mobile.centre = from;
-  packing_body_wall_gap(&mobile, body->domain, body->wall, &normal);
-  return packing_i_scale(normal, -1);
+  for (int i = 0; i < task->dim; i++) {
+    const packing_body *body = &task->fixed[i];
+    if (body->domain != NULL &&
+        !isfinite(packing_body_wall_gap(&mobile, body->domain, body->wall, NULL)))
+      return 0;
+  }
+  return 1;
+}
+
+int packing_i_touch_view(const packing_contact_task *task, packing_vec3 *from)
+{
+  if (sees_walls(task, *from))
+    return 1;
+  for (int i = 0; i < task->dim; i++) {
+    *from = task->fixed[i].centre;
+    if (task->fixed[i].domain == NULL && sees_walls(task, *from))
+      return 1;
+  }
+  return 0;
 }
 
 static double size_of(packing_vec3 v)
@@ -73,19 +91,27 @@ double packing_i_touch_tolerance(const packing_contact_task *task)
   return share > rounding ? share : rounding;
 }
 
+/* Whether two places are one as far as the tolerance can tell: what lies between is a place. */
+static int is_same(const packing_contact_task *task, packing_vec3 a, packing_vec3 b)
+{
+  if (packing_i_norm(packing_i_sub(a, b)) > near_place * task->mobile.r)
+    return 0;
+  packing_i_touch between;
+  packing_i_touch_at(task, packing_i_scale(packing_i_add(a, b), 0.5), &between);
+  return between.worst <= packing_i_touch_tolerance(task);
+}
+
 int packing_i_touch_sides(const packing_contact_task *task, packing_i_touch_find find,
                           packing_vec3 centre[2])
 {
   packing_vec3 first, second;
-  const int one = find(task, 1, &first), two = find(task, -1, &second);
-  const int same =
-      one && two &&
-      packing_i_norm(packing_i_sub(first, second)) <= same_place * task->mobile.r;
+  const int one = find(task, 1, &first);
+  const int two = find(task, -1, &second) && !(one && is_same(task, first, second));
   if (one)
     centre[0] = first;
-  if (two && !same)
+  if (two)
     centre[one] = second;
-  return one + (two && !same);
+  return one + two;
 }
 
 static double moved_gap(packing_body mobile, const packing_body *body, int axis,
@@ -129,6 +155,7 @@ void packing_i_touch_at(const packing_contact_task *task, packing_vec3 x,
 {
   packing_body mobile = task->mobile;
   mobile.centre = x;
+  touch->normal[0] = touch->normal[1] = packing_i_vec(0, 0, 0);
   touch->normal[2] = packing_i_vec(0, 0, 1);
   touch->gap[2] = 0;
   touch->worst = 0;

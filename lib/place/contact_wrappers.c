@@ -99,7 +99,10 @@ static int place_at_walls(const packing_contact_task *task, int side,
                           packing_vec3 *centre)
 {
   const view v = view_of(task);
-  packing_vec3 at = {0, 0, 0};
+  packing_vec3 from = v.sphere->centre;
+  if (!packing_i_touch_view(task, &from))
+    return 0;
+  packing_vec3 at = packing_i_sub(from, v.sphere->centre);
   const double step = 1e-3 * task->mobile.r;
   for (int i = 0; i < LINEARISATIONS; i++) {
     packing_i_front_body body[2];
@@ -116,20 +119,12 @@ static int place_at_walls(const packing_contact_task *task, int side,
   return packing_i_touch_descend(task, centre);
 }
 
-static int has_walls(const packing_contact_task *task)
-{
-  for (int i = 0; i < task->dim; i++)
-    if (task->fixed[i].domain != NULL)
-      return 1;
-  return 0;
-}
-
 static int place(void *user, const packing_contact_task *task, packing_vec3 centre[2])
 {
   (void)user;
   if (!packing_i_touch_all_round(task))
     return 0;
-  if (has_walls(task))
+  if (packing_i_touch_has_walls(task))
     return packing_i_touch_sides(task, place_at_walls, centre);
   const view v = view_of(task);
   return place_among_spheres(&v, centre);

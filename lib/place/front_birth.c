@@ -35,18 +35,6 @@ static void cap_set(packing_i_front_caps *caps, size_t n,
   caps->halo[n] = (uint32_t)t;
 }
 
-static void cap_copy(packing_i_front_caps *caps, size_t to, size_t from)
-{
-  caps->x[to] = caps->x[from];
-  caps->y[to] = caps->y[from];
-  caps->z[to] = caps->z[from];
-  caps->square[to] = caps->square[from];
-  caps->top[to] = caps->top[from];
-  caps->room[to] = caps->room[from];
-  caps->reach[to] = caps->reach[from];
-  caps->halo[to] = caps->halo[from];
-}
-
 /* The bodies that a particle of the reference radius can touch beside the sphere, widest cap
  * first. */
 static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, double r)
@@ -55,8 +43,9 @@ static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, 
   packing_i_front_caps *caps = &lane->caps;
   const double distance = r + p->reference_r;
   double *narrow = lane->curves.room; /* not in use here */
-  caps->count = 0;
-  for (size_t t = 0; t < halo->count && caps->count + 1 < lane->curve_room; t++) {
+  uint32_t *order = lane->curve_pocket;
+  size_t count = 0;
+  for (size_t t = 0; t < halo->count && count + 1 < lane->curve_room; t++) {
     const double square =
         halo->x[t] * halo->x[t] + halo->y[t] * halo->y[t] + halo->z[t] * halo->z[t];
     const double top = halo->a[t] + halo->b[t] * p->reference_r;
@@ -66,14 +55,17 @@ static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, 
     const double cosine = halo->id[t] == (PACKING_I_FRONT_WALL | PACKING_I_FRONT_PLANE)
                               ? -2
                               : narrowness(top, square, distance);
-    size_t n = caps->count++;
+    size_t n = count++;
     for (; n > 0 && narrow[n - 1] > cosine; n--) {
-      cap_copy(caps, n, n - 1);
       narrow[n] = narrow[n - 1];
+      order[n] = order[n - 1];
     }
-    cap_set(caps, n, halo, t, p);
     narrow[n] = cosine;
+    order[n] = (uint32_t)t;
   }
+  for (size_t n = 0; n < count; n++)
+    cap_set(caps, n, halo, order[n], p);
+  caps->count = count;
 }
 
 /* ---- one candidate ---- */
@@ -154,7 +146,7 @@ static void keep(const birth *b, const packing_i_pocket *pocket, uint32_t home)
       (home != lane->at_work && lane->outbox_count == lane->outbox_room))
     return;
   const uint32_t id = lane->free_pocket;
-  packing_i_pocket *q = p->pocket + id;
+  packing_i_pocket *q = packing_i_pocket_at(p, id);
   const uint32_t version = q->version;
   lane->free_pocket = q->next;
   lane->free_pockets--;
@@ -213,14 +205,14 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
       if (walls.id[t] == id[1])
         k = t;
     }
-    p->kernels->interval(curve, &walls, j, k, start, p->slack, interval);
+    p->kernels->interval(curve, &walls, j, k, start, p->cap_r, p->slack, interval);
     for (size_t n = 0; n < held; n++) {
       for (int f = 0; f < 6; f++)
         column[f][spheres + n] = saved[f][n];
       halo->id[spheres + n] = saved_id[n];
     }
   } else {
-    p->kernels->interval(curve, halo, j, k, start, p->slack, interval);
+    p->kernels->interval(curve, halo, j, k, start, p->cap_r, p->slack, interval);
   }
   return interval->exit[0] >= interval->lo && interval->exit[0] >= p->min_r &&
          interval->lo <= p->max_r;
@@ -264,7 +256,44 @@ static void try_candidate(const birth *b, size_t n)
   pocket.alive = 1;
   pocket.zone = (uint16_t)packing_i_source_zone(lane->source, &at);
   pocket.walls = (uint8_t)packing_i_front_is_wall(halo->id[halo->count - 1]);
+  packing_i_pocket_measure(p, &pocket);
   keep(b, &pocket, tile_of(&p->grid, b->tile, &at));
+}
+
+/* Where only so many pockets of a sphere are wanted: brings the candidates that are lowest in the
+ * order of growth to the front. Returns how many to try. */
+static size_t keep_lowest(const birth *b)
+{
+  packing_i_front_candidates *c = &b->lane->candidates;
+  const size_t wanted = b->p->litter;
+  if (c->count <= wanted)
+    return c->count;
+  double *key = b->lane->curves.room; /* not in use here */
+  const size_t count = c->count < b->lane->curve_room ? c->count : b->lane->curve_room;
+  for (size_t n = 0; n < count; n++) {
+    const packing_vec3 at =
+        packing_i_add(b->centre, packing_i_vec(c->x[n], c->y[n], c->z[n]));
+    key[n] = packing_i_front_key(b->p, &at);
+  }
+  for (size_t n = 0; n < wanted; n++) {
+    size_t least = n;
+    for (size_t m = n + 1; m < count; m++)
+      if (key[m] < key[least])
+        least = m;
+    const double k = key[n], x = c->x[n], y = c->y[n], z = c->z[n];
+    const uint32_t pair = c->pair[n];
+    key[n] = key[least];
+    c->x[n] = c->x[least];
+    c->y[n] = c->y[least];
+    c->z[n] = c->z[least];
+    c->pair[n] = c->pair[least];
+    key[least] = k;
+    c->x[least] = x;
+    c->y[least] = y;
+    c->z[least] = z;
+    c->pair[least] = pair;
+  }
+  return wanted;
 }
 
 void packing_i_pockets_born(packing_i_pockets *p, packing_i_front_lane *lane,
@@ -297,6 +326,7 @@ void packing_i_pockets_born(packing_i_pockets *p, packing_i_front_lane *lane,
     p->kernels->pairs(&lane->caps, first, r + p->reference_r, candidates);
   }
   p->kernels->sieve(&lane->caps, candidates);
-  for (size_t n = 0; n < candidates->count; n++)
+  const size_t kept = keep_lowest(&b);
+  for (size_t n = 0; n < kept; n++)
     try_candidate(&b, n);
 }

@@ -1,13 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which pocket is filled next, and with which radius.
  *
- * The radius is the largest of the stock that fits. What it leaves of the room decides: the gap to
+ * The radius is the largest of the stock that fits, or the largest of the bin of which the stock
+ * holds most beyond its share. What it leaves of the room decides: the gap to
  * the next body met as the radius grows, and with less weight those to the second and third. To
  * that come the order of growth, and a bonus for radii of which the stock holds more than its
  * share, without which the sizes that fit badly would pile up there.
  *
  * Scores go stale as radii are taken, so the best of the heap is scored anew when it comes up. */
 #include "front_pockets.h"
+
+/* What radius r leaves of the pocket's room. */
+static double leaves(const packing_i_pockets *p, const packing_i_pocket *pocket,
+                     const packing_i_stock *stock, double r)
+{
+  double gap[3];
+  for (int e = 0; e < 3; e++)
+    gap[e] = (pocket->exit[e] < p->cap_r ? pocket->exit[e] : p->cap_r) - r;
+  const double left = (gap[0] + p->second * gap[1] + p->third * gap[2]) / r;
+  return p->balance > 0 ? left - p->balance * packing_i_stock_excess(stock, r) : left;
+}
 
 double packing_i_pocket_score(const packing_i_pockets *p, packing_i_front_lane *lane,
                               const packing_i_pocket *pocket, size_t *index)
@@ -16,16 +28,17 @@ double packing_i_pocket_score(const packing_i_pockets *p, packing_i_front_lane *
   const size_t fitting = packing_i_stock_below(stock, pocket->exit[0]);
   if (fitting == 0 || stock->r[fitting - 1] < pocket->lo)
     return HUGE_VAL;
-  const double r = stock->r[fitting - 1];
-  double gap[3];
-  for (int e = 0; e < 3; e++)
-    gap[e] = (pocket->exit[e] < p->cap_r ? pocket->exit[e] : p->cap_r) - r;
+  double score = leaves(p, pocket, stock, stock->r[fitting - 1]);
   *index = fitting - 1;
-  double score = (gap[0] + p->second * gap[1] + p->third * gap[2]) / r +
-                 p->order * (pocket->key - p->level) / p->mean_r;
-  if (p->balance > 0)
-    score -= p->balance * packing_i_stock_excess(stock, r);
-  return score;
+  if (p->balance > 0 && stock->full < fitting && stock->full > 0 &&
+      stock->r[stock->full - 1] >= pocket->lo) {
+    const double other = leaves(p, pocket, stock, stock->r[stock->full - 1]);
+    if (other < score) {
+      score = other;
+      *index = stock->full - 1;
+    }
+  }
+  return score + p->order * (pocket->key - p->level) / p->mean_r;
 }
 
 /* Smaller scores first; equal ones by the pocket. */
@@ -76,7 +89,7 @@ static void pop(packing_i_front_lane *lane)
 
 void packing_i_pocket_offer(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id)
 {
-  packing_i_pocket *pocket = p->pocket + id;
+  packing_i_pocket *pocket = packing_i_pocket_at(p, id);
   size_t index;
   pocket->version++;
   if (pocket->home != lane->at_work || !(pocket->key < p->level))
@@ -93,7 +106,7 @@ uint32_t packing_i_pocket_best(packing_i_pockets *p, packing_i_front_lane *lane,
 {
   while (lane->heap_count > 0) {
     packing_i_front_entry top = lane->heap[0];
-    const packing_i_pocket *pocket = p->pocket + top.pocket;
+    const packing_i_pocket *pocket = packing_i_pocket_at(p, top.pocket);
     if (!pocket->alive || pocket->version != top.version) {
       pop(lane);
       continue;

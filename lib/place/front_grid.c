@@ -14,14 +14,16 @@ void packing_i_front_grid_init(packing_i_front_grid *grid,
   grid->origin = origin;
   grid->edge = edge;
   grid->per_edge = packing_i_vec(EDGE / edge.x, EDGE / edge.y, EDGE / edge.z);
-  grid->tiles = grid->bins = grid->lists = 1;
+  grid->tiles = grid->lists = 1;
 }
 
 void packing_i_front_grid_release(packing_i_front_grid *grid)
 {
   packing_i_free(grid->allocator, grid->tile);
   packing_i_free(grid->allocator, grid->slot);
-  packing_i_free(grid->allocator, grid->bin);
+  for (size_t c = 0; c < grid->chunks; c++)
+    packing_i_free(grid->allocator, grid->chunk[c]);
+  packing_i_free(grid->allocator, grid->chunk);
   packing_i_free(grid->allocator, grid->list);
 }
 
@@ -162,16 +164,23 @@ packing_status packing_i_front_tile_note(packing_i_front_grid *grid, uint32_t ti
 
 /* ---- cells ---- */
 
-int packing_i_front_grid_reserve_bins(packing_i_front_grid *grid, size_t count)
+int packing_i_front_grid_reserve_bins(packing_i_front_grid *grid)
 {
-  if (grid->bins + count >= UINT32_MAX / PACKING_I_FRONT_WIDTH ||
-      !grow(grid->allocator, (void **)&grid->bin, grid->bins, &grid->bin_room, count,
-            sizeof *grid->bin))
+  enum { BINS = PACKING_I_BIN_CHUNK };
+  if (grid->chunks >= UINT32_MAX / PACKING_I_FRONT_WIDTH / BINS ||
+      !grow(grid->allocator, (void **)&grid->chunk, grid->chunks, &grid->chunk_room, 1,
+            sizeof *grid->chunk))
     return 0;
-  for (size_t k = 0; k < count; k++) {
-    const uint32_t b = (uint32_t)grid->bins++;
-    grid->bin[b].next = grid->free_bin;
-    grid->free_bin = b;
+  packing_i_front_bin *bin = packing_i_alloc(grid->allocator, BINS, sizeof *bin);
+  if (bin == NULL)
+    return 0;
+  grid->chunk[grid->chunks] = bin;
+  const uint32_t first = (uint32_t)grid->chunks++ * BINS;
+  for (uint32_t k = BINS; k-- > 0;) {
+    if (first + k == 0)
+      continue; /* none */
+    bin[k].next = grid->free_bin;
+    grid->free_bin = first + k;
   }
   return 1;
 }
@@ -214,14 +223,14 @@ static uint32_t add_to_cell(packing_i_front_grid *grid, uint32_t *cell,
                             const packing_vec3 *p, double r, uint32_t *free_bin)
 {
   uint32_t b = *cell;
-  if (b == 0 || grid->bin[b].count == PACKING_I_FRONT_WIDTH) {
+  if (b == 0 || packing_i_front_bin_at(grid, b)->count == PACKING_I_FRONT_WIDTH) {
     b = *free_bin;
-    *free_bin = grid->bin[b].next;
-    clear_bin(grid->bin + b);
-    grid->bin[b].next = *cell;
+    *free_bin = packing_i_front_bin_at(grid, b)->next;
+    clear_bin(packing_i_front_bin_at(grid, b));
+    packing_i_front_bin_at(grid, b)->next = *cell;
     *cell = b;
   }
-  packing_i_front_bin *bin = grid->bin + b;
+  packing_i_front_bin *bin = packing_i_front_bin_at(grid, b);
   const uint32_t k = bin->count++;
   bin->x[k] = p->x;
   bin->y[k] = p->y;
@@ -257,14 +266,15 @@ packing_status packing_i_front_tile_fill(packing_i_front_grid *grid, uint32_t ti
       const uint32_t i = grid->list[l].index[n];
       const packing_vec3 p =
           packing_i_vec(store->x[i], store->y[i], store->dim == 2 ? 0 : store->z[i]);
-      if (grid->free_bin == 0 && !packing_i_front_grid_reserve_bins(grid, 256))
+      if (grid->free_bin == 0 && !packing_i_front_grid_reserve_bins(grid))
         return PACKING_ERR_NOMEM;
       uint32_t *cell =
           grid->tile[tile].cell +
           ((cell_inside(p.z, lo.z, per.z) * EDGE + cell_inside(p.y, lo.y, per.y)) * EDGE +
            cell_inside(p.x, lo.x, per.x));
       const uint32_t place = add_to_cell(grid, cell, &p, store->r[i], &grid->free_bin);
-      grid->bin[place / PACKING_I_FRONT_WIDTH].index[place % PACKING_I_FRONT_WIDTH] = i;
+      packing_i_front_bin_at(grid, place / PACKING_I_FRONT_WIDTH)
+          ->index[place % PACKING_I_FRONT_WIDTH] = i;
     }
   grid->tile[tile].resident = 1;
   return PACKING_OK;
@@ -275,7 +285,7 @@ void packing_i_front_tile_empty(packing_i_front_grid *grid, uint32_t tile)
   packing_i_front_tile *t = grid->tile + tile;
   for (int c = 0; c < PACKING_I_TILE_CELLS; c++)
     while (t->cell[c] != 0) {
-      packing_i_front_bin *bin = grid->bin + t->cell[c];
+      packing_i_front_bin *bin = packing_i_front_bin_at(grid, t->cell[c]);
       const uint32_t b = t->cell[c];
       t->cell[c] = bin->next;
       bin->next = grid->free_bin;
@@ -292,6 +302,59 @@ static inline double beyond2(double p, double lo, double cell, int c)
   return d * d;
 }
 
+/* A look around a centre: bins are listed and asked for ahead, then read. */
+enum { AHEAD = 256 };
+typedef struct look {
+  const packing_i_front_grid *grid;
+  const packing_i_front_kernels *kernels;
+  const packing_vec3 *centre;
+  double reach;
+  packing_i_front_halo *halo;
+  size_t count;
+  uint32_t bin[AHEAD];
+} look;
+
+static int read_bins(look *l)
+{
+  for (size_t n = 0; n < l->count; n++) {
+    if (l->halo->count + PACKING_I_FRONT_WIDTH > l->halo->capacity)
+      return 0;
+    l->kernels->gather(packing_i_front_bin_at(l->grid, l->bin[n]),
+                       l->bin[n] * PACKING_I_FRONT_WIDTH, l->centre, l->reach, l->halo);
+  }
+  l->count = 0;
+  return 1;
+}
+
+static int list_cell(look *l, uint32_t b)
+{
+  while (b != 0) {
+    if (l->count == AHEAD && !read_bins(l))
+      return 0;
+    const packing_i_front_bin *bin = packing_i_front_bin_at(l->grid, b);
+    __builtin_prefetch(bin->x);
+    __builtin_prefetch(bin->y);
+    __builtin_prefetch(bin->z);
+    __builtin_prefetch(bin->r);
+    l->bin[l->count++] = b;
+    b = bin->next;
+  }
+  return 1;
+}
+
+/* The cells of a row from x0 to x1, which may lie in three tiles. */
+static int list_row(look *l, uint32_t tile, int y, int z, int x0, int x1)
+{
+  for (int x = x0; x <= x1;) {
+    const int last = x1 < part(x) * EDGE - 1 ? x1 : part(x) * EDGE - 1;
+    const uint32_t *cell = cell_at(l->grid, tile, x, y, z);
+    for (; x <= last; x++, cell++)
+      if (*cell != 0 && !list_cell(l, *cell))
+        return 0;
+  }
+  return 1;
+}
+
 int packing_i_front_grid_gather(const packing_i_front_grid *grid,
                                 const packing_i_front_kernels *kernels, uint32_t tile,
                                 const packing_vec3 *centre, double reach, double max_r,
@@ -300,25 +363,24 @@ int packing_i_front_grid_gather(const packing_i_front_grid *grid,
   const packing_vec3 lo = grid->tile[tile].lo, per = grid->per_edge;
   const double far = reach + max_r;
   const double far2 = far * far;
-  const int x0 = cell_along(centre->x - far, lo.x, per.x),
-            x1 = cell_along(centre->x + far, lo.x, per.x),
-            y0 = cell_along(centre->y - far, lo.y, per.y),
+  look l = {
+      .grid = grid, .kernels = kernels, .centre = centre, .reach = reach, .halo = halo};
+  const int y0 = cell_along(centre->y - far, lo.y, per.y),
             y1 = cell_along(centre->y + far, lo.y, per.y),
             z0 = cell_along(centre->z - far, lo.z, per.z),
             z1 = cell_along(centre->z + far, lo.z, per.z);
   for (int z = z0; z <= z1; z++) {
     const double dz2 = beyond2(centre->z, lo.z, 1 / per.z, z);
     for (int y = y0; y <= y1; y++) {
-      const double dyz2 = dz2 + beyond2(centre->y, lo.y, 1 / per.y, y);
-      if (dyz2 > far2)
+      const double left2 = far2 - dz2 - beyond2(centre->y, lo.y, 1 / per.y, y);
+      if (left2 < 0)
         continue;
-      for (int x = x0; x <= x1; x++)
-        for (uint32_t b = *cell_at(grid, tile, x, y, z); b != 0; b = grid->bin[b].next) {
-          if (halo->count + PACKING_I_FRONT_WIDTH > halo->capacity)
-            return 0;
-          kernels->gather(grid->bin + b, b * PACKING_I_FRONT_WIDTH, centre, reach, halo);
-        }
+      const double half = sqrt(left2);
+      const int first = cell_along(centre->x - half, lo.x, per.x),
+                last = cell_along(centre->x + half, lo.x, per.x);
+      if (!list_row(&l, tile, y, z, first, last))
+        return 0;
     }
   }
-  return 1;
+  return read_bins(&l);
 }

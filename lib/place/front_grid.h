@@ -15,7 +15,8 @@ enum {
   PACKING_I_TILE_CELLS = PACKING_I_TILE_EDGE * PACKING_I_TILE_EDGE * PACKING_I_TILE_EDGE,
   PACKING_I_TILE_AROUND = 27, /* a tile and its neighbours; 13 is itself */
   PACKING_I_TILE_ITSELF = 13,
-  PACKING_I_LIST_LENGTH = 62
+  PACKING_I_LIST_LENGTH = 62,
+  PACKING_I_BIN_CHUNK = 2048
 };
 
 /* Indices of particles of a tile. */
@@ -49,8 +50,8 @@ typedef struct packing_i_front_grid {
   size_t tiles, tile_room;
   uint32_t *slot; /* hash table of tiles */
   size_t slots;
-  packing_i_front_bin *bin; /* [0] is none */
-  size_t bins, bin_room;
+  packing_i_front_bin **chunk; /* bins, so many in each; bin 0 is none */
+  size_t chunks, chunk_room;
   uint32_t free_bin;
   packing_i_front_list *list; /* [0] is none */
   size_t lists, list_room;
@@ -74,8 +75,8 @@ uint32_t packing_i_front_tile_at(packing_i_front_grid *grid, const int64_t at[3]
 /* The same for all tiles around one. */
 packing_status packing_i_front_tile_surround(packing_i_front_grid *grid, uint32_t tile);
 
-/* Room for `count` more bins beyond those on the free list; 0: out of memory. */
-int packing_i_front_grid_reserve_bins(packing_i_front_grid *grid, size_t count);
+/* A chunk of bins for the free list; 0: out of memory. */
+int packing_i_front_grid_reserve_bins(packing_i_front_grid *grid);
 
 /* Notes a particle of the store in the list of the tile. */
 packing_status packing_i_front_tile_note(packing_i_front_grid *grid, uint32_t tile,
@@ -93,12 +94,18 @@ packing_status packing_i_front_tile_fill(packing_i_front_grid *grid, uint32_t ti
 /* Gives the bins of a tile back. */
 void packing_i_front_tile_empty(packing_i_front_grid *grid, uint32_t tile);
 
+static inline packing_i_front_bin *
+packing_i_front_bin_at(const packing_i_front_grid *grid, uint32_t bin)
+{
+  return grid->chunk[bin / PACKING_I_BIN_CHUNK] + bin % PACKING_I_BIN_CHUNK;
+}
+
 /* A sphere's record by its place. */
 static inline packing_i_front_bin *
 packing_i_front_bin_of(const packing_i_front_grid *grid, uint32_t place, unsigned *lane)
 {
   *lane = place % PACKING_I_FRONT_WIDTH;
-  return grid->bin + place / PACKING_I_FRONT_WIDTH;
+  return packing_i_front_bin_at(grid, place / PACKING_I_FRONT_WIDTH);
 }
 
 static inline packing_vec3 packing_i_front_centre(const packing_i_front_grid *grid,

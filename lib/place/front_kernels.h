@@ -81,9 +81,10 @@ typedef struct packing_i_front_kernels {
                 packing_i_front_candidates *candidates);
   /* Keeps the candidates that are free of all caps. */
   void (*sieve)(const packing_i_front_caps *caps, packing_i_front_candidates *candidates);
-  /* The interval from radius r on; `j` and `k` are the curve's own bodies. */
+  /* The interval from radius r on; `j` and `k` are the curve's own bodies. Exits beyond the cap
+   * may be missing. */
   void (*interval)(const packing_i_front_curve *curve, const packing_i_front_halo *halo,
-                   size_t j, size_t k, double r, double slack,
+                   size_t j, size_t k, double r, double cap, double slack,
                    packing_i_front_interval *interval);
   /* The bounds that the bodies set to the first `count` curves. */
   void (*bounds)(const packing_i_front_curves *curves, size_t count);

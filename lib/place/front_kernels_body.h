@@ -31,6 +31,8 @@ TARGET static void gather(const packing_i_front_bin *bin, uint32_t place,
   const mask within = x * x + y * y + z * z <= far * far;
   unsigned bits = mask_bits(&within);
   size_t n = halo->count;
+  if (bits != 0)
+    __builtin_prefetch(bin->pockets); /* they are asked for next */
   for (; bits != 0; bits &= bits - 1, n++) {
     const unsigned k = (unsigned)__builtin_ctz(bits);
     halo->x[n] = bin->x[k] - centre->x;
@@ -72,10 +74,11 @@ TARGET static void pairs(const packing_i_front_caps *caps, size_t first, double 
     const vector pq = px * qx + py * qy + pz * qz;
     const vector nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
     const vector det = nx * nx + ny * ny + nz * nz;
-    const vector u = (qq * ptop - pq * qtop) / det, v = (pp * qtop - pq * ptop) / det;
+    const vector over = ALL(1.0) / det;
+    const vector u = (qq * ptop - pq * qtop) * over, v = (pp * qtop - pq * ptop) * over;
     const vector cx = u * px + v * qx, cy = u * py + v * qy, cz = u * pz + v * qz;
     const vector left = d2 - (cx * cx + cy * cy + cz * cz);
-    vector w = MAX(left, zero) / det;
+    vector w = MAX(left, zero) * over;
     take_root(&w);
     const vector number = lanes + ALL((double)t);
     const mask meets = (dx * dx + dy * dy + dz * dz <= reach * reach) & (left >= zero) &
@@ -175,12 +178,22 @@ static inline void meet(packing_i_front_interval *interval, double r)
 
 TARGET static void interval(const packing_i_front_curve *curve,
                             const packing_i_front_halo *halo, size_t j, size_t k,
-                            double r, double slack, packing_i_front_interval *result)
+                            double r, double cap, double slack,
+                            packing_i_front_interval *result)
 {
   const vector none = ALL(HUGE_VAL), start = ALL(r);
   const vector s2[3] = {ALL(curve->s2[0]), ALL(curve->s2[1]), ALL(curve->s2[2])};
   const double height2 = curve->s2[0] + r * (curve->s2[1] + r * curve->s2[2]);
   const vector s = ALL(height2 > 0 ? sqrt(height2) : 0);
+  const double cap2 = curve->s2[0] + cap * (curve->s2[1] + cap * curve->s2[2]);
+  const double top2 =
+      curve->s2[2] < 0 && -0.5 * curve->s2[1] / curve->s2[2] < cap
+          ? curve->s2[0] - 0.25 * curve->s2[1] * curve->s2[1] / curve->s2[2]
+          : cap2;
+  const vector most = ALL(sqrt(top2 > height2 ? top2
+                               : height2 > 0  ? height2
+                                              : 0)),
+               end = ALL(cap);
   vector lo = start, e0 = none, e1 = none, e2 = none;
   for (size_t t = 0; t < halo->count; t += WIDTH) {
     const vector x = LOAD(halo->x + t), y = LOAD(halo->y + t), z = LOAD(halo->z + t);
@@ -196,6 +209,11 @@ TARGET static void interval(const packing_i_front_curve *curve,
     const vector number = lanes + ALL((double)t);
     const mask other = (number < ALL((double)halo->count)) & (number != ALL((double)j)) &
                        (number != ALL((double)k));
+    /* Up to the cap no body is met where even the largest s leaves room. */
+    const vector away = MAX(w, ALL(0.0)) * most;
+    const mask meets = (u + v * start < away) | (u + v * end < away);
+    if (mask_bits(&meets) == 0)
+      continue;
     const vector body[3] = {u, v, w};
     vector first, second;
     exits(body, s2, &start, &first, &second);

@@ -96,58 +96,66 @@ void packing_i_lane_release(packing_i_pockets *p, packing_i_front_lane *lane)
 
 /* ---- free lists ---- */
 
-static int make_pockets(packing_i_pockets *p, size_t count)
+/* A chunk of pockets for the free list. */
+static int make_pockets(packing_i_pockets *p)
 {
+  enum { POCKETS = PACKING_I_POCKET_CHUNK };
   const packing_allocator *allocator = packing_i_allocator(p->placer->context);
-  if (p->pocket == NULL || p->pockets + count > p->pocket_room) {
-    const size_t room = p->pockets + count + p->pocket_room / 2;
-    packing_i_pocket *grown =
-        room > UINT32_MAX
-            ? NULL
-            : packing_i_regrow(allocator, p->pocket, p->pocket == NULL ? 0 : p->pockets,
-                               room, sizeof *grown);
+  if (p->chunks >= UINT32_MAX / POCKETS)
+    return 0;
+  if (p->chunks == p->chunk_room) {
+    const size_t room = 2 * p->chunk_room + 64;
+    packing_i_pocket **grown =
+        packing_i_regrow(allocator, p->chunk, p->chunks, room, sizeof *grown);
     if (grown == NULL)
       return 0;
-    p->pocket = grown;
-    p->pocket_room = room;
+    p->chunk = grown;
+    p->chunk_room = room;
   }
-  for (size_t k = 0; k < count; k++) {
-    const uint32_t id = (uint32_t)p->pockets++;
-    memset(p->pocket + id, 0, sizeof *p->pocket);
-    p->pocket[id].next = p->free_pocket;
-    p->free_pocket = id;
+  packing_i_pocket *pocket = packing_i_calloc(allocator, POCKETS, sizeof *pocket);
+  if (pocket == NULL)
+    return 0;
+  p->chunk[p->chunks] = pocket;
+  const uint32_t first = (uint32_t)p->chunks++ * POCKETS;
+  for (uint32_t k = POCKETS; k-- > 0;) {
+    if (first + k == 0)
+      continue; /* none */
+    pocket[k].next = p->free_pocket;
+    p->free_pocket = first + k;
+    p->free_pockets++;
   }
-  p->free_pockets += count;
   return 1;
 }
 
 packing_status packing_i_lane_stock_up(packing_i_pockets *p, packing_i_front_lane *lane)
 {
-  enum { POCKETS = 2 * PACKING_I_POCKETS_SPARE, BINS = 256 + PACKING_I_FRONT_IMAGES };
-  while (lane->free_pockets > 2 * POCKETS) { /* what it freed goes back to all */
+  /* Low and high water: a lane keeps what it frees, which is warm in its cache. */
+  enum { LOW = 2 * PACKING_I_POCKETS_SPARE, HIGH = 16 * PACKING_I_POCKETS_SPARE };
+  enum { BINS = 256 + PACKING_I_FRONT_IMAGES };
+  while (lane->free_pockets > HIGH) {
     const uint32_t id = lane->free_pocket;
-    lane->free_pocket = p->pocket[id].next;
+    lane->free_pocket = packing_i_pocket_at(p, id)->next;
     lane->free_pockets--;
-    p->pocket[id].next = p->free_pocket;
+    packing_i_pocket_at(p, id)->next = p->free_pocket;
     p->free_pocket = id;
     p->free_pockets++;
   }
-  while (lane->free_pockets < POCKETS) {
-    if (p->free_pockets == 0 && !make_pockets(p, POCKETS))
+  for (size_t n = lane->free_pockets < LOW ? LOW : 0; n > 0; n--) {
+    if (p->free_pockets == 0 && !make_pockets(p))
       return packing_i_nomem(p->placer->context);
     const uint32_t id = p->free_pocket;
-    p->free_pocket = p->pocket[id].next;
+    p->free_pocket = packing_i_pocket_at(p, id)->next;
     p->free_pockets--;
-    p->pocket[id].next = lane->free_pocket;
+    packing_i_pocket_at(p, id)->next = lane->free_pocket;
     lane->free_pocket = id;
     lane->free_pockets++;
   }
   while (lane->free_bins < BINS) {
-    if (p->grid.free_bin == 0 && !packing_i_front_grid_reserve_bins(&p->grid, BINS))
+    if (p->grid.free_bin == 0 && !packing_i_front_grid_reserve_bins(&p->grid))
       return packing_i_nomem(p->placer->context);
     const uint32_t bin = p->grid.free_bin;
-    p->grid.free_bin = p->grid.bin[bin].next;
-    p->grid.bin[bin].next = lane->free_bin;
+    p->grid.free_bin = packing_i_front_bin_at(&p->grid, bin)->next;
+    packing_i_front_bin_at(&p->grid, bin)->next = lane->free_bin;
     lane->free_bin = bin;
     lane->free_bins++;
   }

@@ -184,9 +184,11 @@ static int renew(packing_i_pockets *p, packing_i_front_lane *lane,
   const double start = packing_i_front_curve_start(&pocket->curve, p->min_r);
   if (!(start <= p->max_r))
     return 0;
-  p->kernels->interval(&pocket->curve, halo, own[0], own[1], start, p->slack, &interval);
+  p->kernels->interval(&pocket->curve, halo, own[0], own[1], start, p->cap_r, p->slack,
+                       &interval);
   pocket->lo = interval.lo;
   memcpy(pocket->exit, interval.exit, sizeof pocket->exit);
+  packing_i_pocket_measure(p, pocket);
   return interval.exit[0] >= interval.lo && interval.exit[0] >= p->min_r &&
          interval.lo <= p->max_r;
 }
@@ -214,7 +216,7 @@ static int is_free(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t ti
 int packing_i_pocket_fill(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t tile,
                           uint32_t id, size_t index)
 {
-  packing_i_pocket *pocket = p->pocket + id;
+  packing_i_pocket *pocket = packing_i_pocket_at(p, id);
   const double r = packing_i_source_stock(lane->source, pocket->zone)->r[index];
   double owner_r;
   const packing_vec3 owner = packing_i_front_centre(&p->grid, pocket->owner, &owner_r);

@@ -21,13 +21,14 @@
 
 enum {
   PACKING_I_LANES = 8,
-  PACKING_I_LANE_QUOTA = 256, /* particles a lane places in a round */
+  PACKING_I_LANE_QUOTA = 64, /* particles a lane places in a round */
   PACKING_I_POCKETS_SPARE =
       2048, /* pockets one particle may make, and walls its images */
   PACKING_I_BINS_SPARE = 64,
   PACKING_I_FRONT_PLANE = 0x7fffffff, /* wall number of the plane of discs */
-  PACKING_I_POCKET_TRIES = 4,         /* times a curved wall may move a pocket */
-  PACKING_I_FRONT_IMAGES = 125        /* of one sphere, in the smallest cell */
+  PACKING_I_POCKET_CHUNK = 4096,
+  PACKING_I_POCKET_TRIES = 4,  /* times a curved wall may move a pocket */
+  PACKING_I_FRONT_IMAGES = 125 /* of one sphere, in the smallest cell */
 };
 
 /* Whether a body of a halo or pocket is a wall of the container. */
@@ -37,22 +38,25 @@ static inline int packing_i_front_is_wall(uint32_t id)
          id != (PACKING_I_FRONT_WALL | PACKING_I_FRONT_PLANE);
 }
 
+/* Three lines of cache; the first tells whether the others matter. */
 typedef struct packing_i_pocket {
-  packing_i_front_curve curve;
-  double lo;
-  double exit[3];
-  double key;         /* where in the order of growth */
-  uint32_t owner;     /* place of the sphere */
-  uint32_t j, k;      /* places, or walls */
-  uint32_t next;      /* of the owner */
-  uint32_t home;      /* tile in whose list it is */
-  uint32_t home_next; /* of the tile */
+  float middle[3]; /* of a ball about all particles that count, from the owner's centre */
+  float extent;    /* its radius */
+  double key;      /* where in the order of growth */
+  uint32_t owner;  /* place of the sphere */
+  uint32_t j, k;   /* places, or walls */
+  uint32_t next;   /* of the owner */
+  uint32_t home;   /* tile in whose list it is */
+  uint32_t home_next;
   uint32_t version;
   uint16_t zone;
   int8_t side;
   uint8_t alive;
   uint8_t walls; /* a wall is near */
   uint8_t tries;
+  packing_i_front_curve curve;
+  double lo;
+  double exit[3];
 } packing_i_pocket;
 
 /* What a lane placed in a round. */
@@ -102,8 +106,10 @@ typedef struct packing_i_front_lane {
   uint32_t at_work;   /* the tile being worked on */
   uint32_t *todo;     /* tiles of this round */
   size_t todo_count, todo_room;
-  int starved; /* stopped for want of memory; 2: of a larger halo */
-  int met;     /* the volume asked is reached */
+  size_t todo_next; /* the first that is not finished */
+  int resumes;      /* the heap is that of this tile, left in the middle */
+  int starved;      /* stopped for want of memory; 2: of a larger halo */
+  int met;          /* the volume asked is reached */
   uint64_t attempts;
   void *block; /* all the arrays above */
 } packing_i_front_lane;
@@ -130,6 +136,8 @@ typedef struct packing_i_pockets {
 
   /* weights of the score */
   double second, third, order, balance;
+  size_t litter; /* pockets a sphere may have at its birth */
+  int exits;     /* how many of a pocket's exits count */
 
   double level, level_step;
   int colour;
@@ -140,8 +148,8 @@ typedef struct packing_i_pockets {
   size_t live_count, live_room;
 
   packing_i_front_grid grid;
-  packing_i_pocket *pocket; /* [0] is none */
-  size_t pockets, pocket_room;
+  packing_i_pocket **chunk; /* pockets, so many in each; pocket 0 is none */
+  size_t chunks, chunk_room;
   uint32_t free_pocket;
   size_t free_pockets;
 
@@ -150,6 +158,12 @@ typedef struct packing_i_pockets {
   size_t halo_room;
   int reseeds;
 } packing_i_pockets;
+
+static inline packing_i_pocket *packing_i_pocket_at(const packing_i_pockets *p,
+                                                    uint32_t id)
+{
+  return p->chunk[id / PACKING_I_POCKET_CHUNK] + id % PACKING_I_POCKET_CHUNK;
+}
 
 /* ---- front_lane.c: memory of the lanes ---- */
 
@@ -211,6 +225,8 @@ int packing_i_front_put(packing_i_pockets *p, packing_i_front_lane *lane, uint32
                         const packing_vec3 *centre, double r, size_t component);
 /* Whether the lane has room for one more particle and `images` images. */
 int packing_i_front_has_room(const packing_i_front_lane *lane, size_t images);
+/* Computes the ball about the particles of a pocket. */
+void packing_i_pocket_measure(const packing_i_pockets *p, packing_i_pocket *pocket);
 /* Takes a pocket out of its owner's list; its tile frees it. */
 void packing_i_pocket_kill(packing_i_pockets *p, uint32_t id);
 

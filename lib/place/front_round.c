@@ -93,7 +93,7 @@ static packing_status collect_one(packing_i_pockets *p, const packing_i_front_pl
 
 static packing_status bring_home(packing_i_pockets *p, uint32_t id)
 {
-  packing_i_pocket *pocket = p->pocket + id;
+  packing_i_pocket *pocket = packing_i_pocket_at(p, id);
   packing_i_front_tile *tile = p->grid.tile + pocket->home;
   pocket->home_next = tile->pockets;
   tile->pockets = id;
@@ -121,7 +121,7 @@ packing_status packing_i_front_collect(packing_i_pockets *p, packing_i_front_lan
 
 static void free_pocket(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id)
 {
-  p->pocket[id].next = lane->free_pocket;
+  packing_i_pocket_at(p, id)->next = lane->free_pocket;
   lane->free_pocket = id;
   lane->free_pockets++;
 }
@@ -135,7 +135,7 @@ static void muster(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t t)
   uint32_t *link = &tile->pockets;
   while (*link != 0) {
     const uint32_t id = *link;
-    packing_i_pocket *pocket = p->pocket + id;
+    packing_i_pocket *pocket = packing_i_pocket_at(p, id);
     if (pocket->alive && pocket->key < p->level - 3 * p->level_step) {
       size_t index;
       if (!(packing_i_pocket_score(p, lane, pocket, &index) < HUGE_VAL))
@@ -160,7 +160,8 @@ static int wants(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id,
 {
   if (!(lane->volume_left < HUGE_VAL))
     return 1;
-  const double r = packing_i_source_stock(lane->source, p->pocket[id].zone)->r[index];
+  const double r =
+      packing_i_source_stock(lane->source, packing_i_pocket_at(p, id)->zone)->r[index];
   if (lane->volume + 0.5 * packing_i_ball_volume(p->dim, r) <= lane->volume_left)
     return 1;
   lane->met = 1;
@@ -171,7 +172,9 @@ static int wants(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t id,
 static int work_tile(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t tile)
 {
   lane->at_work = tile;
-  muster(p, lane, tile);
+  if (!lane->resumes)
+    muster(p, lane, tile);
+  lane->resumes = 1;
   for (;;) {
     if (lane->particles >= lane->quota)
       return 0;
@@ -184,16 +187,15 @@ static int work_tile(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t 
   }
 }
 
-/* A tile left early has work still. */
 static void work(void *arg, size_t block)
 {
   packing_i_pockets *p = arg;
   packing_i_front_lane *lane = p->lane + block;
-  for (size_t n = 0; n < lane->todo_count; n++)
-    if (!work_tile(p, lane, lane->todo[n])) {
-      p->grid.tile[lane->todo[n]].next_key = -HUGE_VAL;
-      break;
-    }
+  while (lane->todo_next < lane->todo_count &&
+         work_tile(p, lane, lane->todo[lane->todo_next])) {
+    lane->todo_next++;
+    lane->resumes = 0;
+  }
   lane->at_work = 0;
 }
 
@@ -206,16 +208,19 @@ static int colour_of(const packing_i_pockets *p, const packing_i_front_tile *til
   return (int)((tile->at[0] & 1) | (tile->at[1] & 1) << 1 | (tile->at[2] & 1) << 2);
 }
 
-static packing_status hand_out(packing_i_pockets *p, size_t *tiles)
+/* Shares the tiles of the colour that have work out among so many lanes. */
+static packing_status hand_out(packing_i_pockets *p, size_t lanes, size_t *tiles)
 {
   *tiles = 0;
-  for (size_t l = 0; l < p->lanes; l++)
-    p->lane[l].todo_count = 0;
+  for (size_t l = 0; l < p->lanes; l++) {
+    p->lane[l].todo_count = p->lane[l].todo_next = 0;
+    p->lane[l].resumes = 0;
+  }
   for (size_t n = 0; n < p->live_count; n++) {
     const packing_i_front_tile *tile = p->grid.tile + p->live[n];
     if (!(tile->next_key < p->level) || colour_of(p, tile) != p->colour)
       continue;
-    packing_i_front_lane *lane = p->lane + (*tiles)++ % p->active;
+    packing_i_front_lane *lane = p->lane + (*tiles)++ % lanes;
     if (lane->todo_count == lane->todo_room) {
       const size_t room = 2 * lane->todo_room + 64;
       uint32_t *grown =
@@ -231,8 +236,20 @@ static packing_status hand_out(packing_i_pockets *p, size_t *tiles)
   return PACKING_OK;
 }
 
-/* How much each lane may place, so that all together stop where they shall. */
-static void ration(packing_i_pockets *p)
+/* What is handed out and not finished goes back: near the goal one lane does the rest. */
+static void call_back(packing_i_pockets *p)
+{
+  for (size_t l = 0; l < p->lanes; l++) {
+    packing_i_front_lane *lane = p->lane + l;
+    for (size_t n = lane->todo_next; n < lane->todo_count; n++)
+      p->grid.tile[lane->todo[n]].next_key = -HUGE_VAL;
+  }
+  p->active = 0;
+}
+
+/* How much each lane may place, so that all together stop where they shall. Returns how many
+ * lanes may work side by side. */
+static size_t ration(packing_i_pockets *p)
 {
   const packing_placer_report *tally = &p->placer->tally;
   const packing_i_front *goal = &p->front;
@@ -242,7 +259,6 @@ static void ration(packing_i_pockets *p)
   const size_t most = p->lanes * PACKING_I_LANE_QUOTA;
   const int plenty =
       left > most && volume > (double)most * packing_i_ball_volume(p->dim, p->max_r);
-  p->active = plenty ? p->lanes : 1;
   for (size_t l = 0; l < p->lanes; l++) {
     packing_i_front_lane *lane = p->lane + l;
     lane->quota = left < PACKING_I_LANE_QUOTA ? left : PACKING_I_LANE_QUOTA;
@@ -252,53 +268,40 @@ static void ration(packing_i_pockets *p)
     lane->met = 0;
     lane->particles = 0;
   }
+  return plenty ? p->lanes : 1;
 }
 
+/* All that a lane may need in a round: it does not allocate. */
 static packing_status feed(packing_i_pockets *p)
 {
-  for (size_t l = 0; l < p->active; l++) {
-    packing_i_front_lane *lane = p->lane + l;
-    for (size_t n = 0; n < lane->todo_count; n++)
-      PACKING_I_TRY(packing_i_front_prepare(p, lane->todo[n]));
-    PACKING_I_TRY(packing_i_lane_stock_up(p, lane));
-  }
+  for (size_t l = 0; l < p->active; l++)
+    PACKING_I_TRY(packing_i_lane_stock_up(p, p->lane + l));
   return PACKING_OK;
 }
 
 static packing_status take_over(packing_i_pockets *p)
 {
-  int halo = 0;
+  int halo = 0, finished = 1;
   for (size_t l = 0; l < p->active; l++) {
     packing_i_front_lane *lane = p->lane + l;
     PACKING_I_TRY(packing_i_front_collect(p, lane, 0));
     halo |= lane->starved == 2;
+    finished &= lane->todo_next == lane->todo_count;
     if (lane->met)
       p->placer->tally.state = PACKING_PLACER_DONE;
   }
-  if (halo) {
-    p->halo_room *= 2;
-    for (size_t l = 0; l < p->lanes; l++)
-      PACKING_I_TRY(packing_i_lane_init(p, p->lane + l, p->halo_room));
-  }
+  if (finished)
+    p->active = 0;
+  if (!halo)
+    return PACKING_OK;
+  call_back(p); /* their heaps go with the memory */
+  p->halo_room *= 2;
+  for (size_t l = 0; l < p->lanes; l++)
+    PACKING_I_TRY(packing_i_lane_init(p, p->lane + l, p->halo_room));
   return PACKING_OK;
 }
 
 /* ---- levels ---- */
-
-/* Frees dead pockets that no visit has found. */
-static void bury(packing_i_pockets *p, uint32_t t)
-{
-  uint32_t *link = &p->grid.tile[t].pockets;
-  while (*link != 0) {
-    const uint32_t id = *link;
-    if (p->pocket[id].alive) {
-      link = &p->pocket[id].home_next;
-      continue;
-    }
-    *link = p->pocket[id].home_next;
-    free_pocket(p, p->lane, id);
-  }
-}
 
 static int is_left(const packing_i_front_grid *grid, const packing_i_front_tile *tile)
 {
@@ -317,8 +320,6 @@ static int next_level(packing_i_pockets *p)
   packing_i_front_grid *grid = &p->grid;
   double least = HUGE_VAL;
   size_t kept = 0;
-  for (size_t n = 0; n < p->live_count; n++)
-    bury(p, p->live[n]);
   for (size_t n = 0; n < p->live_count; n++) {
     packing_i_front_tile *tile = grid->tile + p->live[n];
     if (tile->pockets == 0) {
@@ -343,13 +344,12 @@ static int next_level(packing_i_pockets *p)
   return least < HUGE_VAL;
 }
 
-packing_status packing_i_front_round(packing_i_pockets *p, int *done)
+/* Hands out the tiles of the next colour that has any; *done: none has, on any level. */
+static packing_status next_colour(packing_i_pockets *p, size_t lanes, int *done)
 {
   size_t tiles = 0;
-  *done = 0;
-  ration(p);
   for (;;) {
-    PACKING_I_TRY(hand_out(p, &tiles));
+    PACKING_I_TRY(hand_out(p, lanes, &tiles));
     if (tiles > 0)
       break;
     p->colour = (p->colour + 1) % p->colours;
@@ -361,6 +361,23 @@ packing_status packing_i_front_round(packing_i_pockets *p, int *done)
     }
   }
   p->idle_colours = 0;
+  p->active = lanes;
+  for (size_t l = 0; l < lanes; l++)
+    for (size_t n = 0; n < p->lane[l].todo_count; n++)
+      PACKING_I_TRY(packing_i_front_prepare(p, p->lane[l].todo[n]));
+  return PACKING_OK;
+}
+
+packing_status packing_i_front_round(packing_i_pockets *p, int *done)
+{
+  *done = 0;
+  const size_t lanes = ration(p);
+  if (p->active > lanes)
+    call_back(p);
+  if (p->active == 0)
+    PACKING_I_TRY(next_colour(p, lanes, done));
+  if (*done)
+    return PACKING_OK;
   PACKING_I_TRY(feed(p));
   packing_i_parallel(p->placer->context, p->active, work, p);
   return take_over(p);

@@ -9,7 +9,7 @@
  * what is wanted by no more than some two of the largest particle, whatever the distribution;
  * what is left of that is met by a few particles of the right size.
  *
- * Cost: N log2 N to sort; 41 bytes a particle. */
+ * Cost: linear; 41 bytes a particle. */
 #include "ranks.h"
 #include "sum.h"
 #include "vec.h"

@@ -79,14 +79,14 @@ static packing_status level_start(packing_i_index *index, int l)
   return PACKING_OK;
 }
 
-packing_status packing_i_index_reserve(packing_i_index *index, double r)
+packing_status packing_i_index_reserve(packing_i_index *index, size_t more, double r)
 {
   const int l = level_of(index, r);
   if (index->level[l].head == NULL)
     PACKING_I_TRY(level_start(index, l));
-  if (index->count < index->capacity)
+  if (more <= index->capacity - index->count)
     return PACKING_OK;
-  size_t grown = index->capacity + index->capacity / 2 + 256;
+  size_t grown = index->capacity + index->capacity / 2 + more + 255;
   if (grown < index->expected)
     grown = index->expected; /* at once: growing copies all that is there */
   if (grown > UINT32_MAX - 1)
@@ -309,7 +309,7 @@ packing_status packing_i_index_add_store(packing_i_index *index,
   for (size_t i = 0; i < store->count; i++) {
     packing_vec3 p = {store->x[i], store->y[i], store->z[i]};
     packing_domain_wrap(domain, &p);
-    PACKING_I_TRY(packing_i_index_reserve(index, store->r[i]));
+    PACKING_I_TRY(packing_i_index_reserve(index, 1, store->r[i]));
     packing_i_index_insert(index, p, store->r[i]);
   }
   return PACKING_OK;

@@ -56,8 +56,8 @@ void packing_i_index_init(packing_i_index *index, packing_context *context,
                           const packing_domain *domain, double top_r, size_t expected);
 void packing_i_index_release(packing_i_index *index);
 
-/* Makes room for one more particle of radius r. */
-packing_status packing_i_index_reserve(packing_i_index *index, double r);
+/* Makes room for `more` particles, one of which has radius r. */
+packing_status packing_i_index_reserve(packing_i_index *index, size_t more, double r);
 
 /* Adds a particle; room was reserved. Points outside the bounds are fine. */
 void packing_i_index_insert(packing_i_index *index, packing_vec3 p, double r);

@@ -11,8 +11,8 @@ typedef struct packing_i_rank {
   size_t index;
 } packing_i_rank;
 
-/* Sorts by r, equal ones in the order they had; `spare` has room for `count` too. Merging:
- * count log2(count) steps, no memory. */
+/* Sorts by r > 0, equal ones in the order they had; `spare` has room for `count` too. Linear: at
+ * most six passes, fewer where sizes differ little, none where they are equal. */
 void packing_i_ranks_sort(packing_i_rank *ranks, packing_i_rank *spare, size_t count);
 
 #endif

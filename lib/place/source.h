@@ -29,6 +29,7 @@ typedef struct packing_i_stock {
   double due[PACKING_I_STOCK_BINS];  /* share of the bin in the distribution, by number */
   size_t held[PACKING_I_STOCK_BINS]; /* radii of the bin in the stock */
   double weight[PACKING_I_STOCK_BINS]; /* 1 / (count due); 0 for a bin that is empty */
+  size_t full; /* so many radii are up to the end of the bin held in the greatest excess */
 } packing_i_stock;
 
 typedef struct packing_i_source packing_i_source;
@@ -77,25 +78,23 @@ void packing_i_source_left(const packing_i_source *source, size_t *counts);
  * distribution (not its stock). */
 size_t packing_i_source_unplaced(const packing_i_source *source);
 
-/* How many radii of a stock are at most r. */
+/* How many radii of a stock are at most r. Without branches: which way it goes is chance. */
 static inline size_t packing_i_stock_below(const packing_i_stock *stock, double r)
 {
-  size_t a = 0, b = stock->count;
-  while (a < b) {
-    const size_t middle = (a + b) / 2;
-    if (stock->r[middle] <= r)
-      a = middle + 1;
-    else
-      b = middle;
+  size_t first = 0;
+  for (size_t left = stock->count; left > 0;) {
+    const size_t half = (left + 1) / 2;
+    first += stock->r[first + half - 1] <= r ? half : 0;
+    left -= half;
   }
-  return a;
+  return first;
 }
 
 static inline size_t packing_i_stock_bin(const packing_i_stock *stock, double r)
 {
   size_t bin = 0;
-  while (bin + 1 < PACKING_I_STOCK_BINS && r > stock->edge[bin])
-    bin++;
+  for (size_t k = 0; k + 1 < PACKING_I_STOCK_BINS; k++)
+    bin += r > stock->edge[k];
   return bin;
 }
 

@@ -91,6 +91,20 @@ static void replace(packing_i_stock *stock, size_t empty, double r, size_t compo
   stock->held[packing_i_stock_bin(stock, r)]++;
 }
 
+static void find_full(packing_i_stock *stock)
+{
+  double most = -1;
+  size_t below = 0;
+  for (size_t b = 0; b < PACKING_I_STOCK_BINS; b++) {
+    const double excess = (double)stock->held[b] * stock->weight[b];
+    below += stock->held[b];
+    if (excess > most) {
+      most = excess;
+      stock->full = below;
+    }
+  }
+}
+
 static void close_gap(packing_i_stock *stock, size_t empty)
 {
   const size_t after = --stock->count - empty;
@@ -111,6 +125,7 @@ static void fill_stock(packing_i_zone *zone, size_t size)
     replace(stock, stock->count++, r, component);
   }
   weigh_bins(stock);
+  find_full(stock);
 }
 
 /* Shares and strata of the parts. */
@@ -187,6 +202,7 @@ void packing_i_zone_take(packing_i_zone *zone, size_t index, double *r, size_t *
     replace(stock, index, next, part);
   else
     close_gap(stock, index);
+  find_full(stock);
 }
 
 int packing_i_zone_next(packing_i_zone *zone, double *r, size_t *component)

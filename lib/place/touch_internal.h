@@ -38,19 +38,22 @@ int packing_i_touch_descend(const packing_contact_task *task, packing_vec3 *x);
 /* Whether all particles of the task are spheres. */
 int packing_i_touch_all_round(const packing_contact_task *task);
 
+int packing_i_touch_has_walls(const packing_contact_task *task);
+
 /* The first particle of the fixed bodies; the bodies after it in turn give, with it, the side. */
 int packing_i_touch_first(const packing_contact_task *task);
 
-/* The particle of body `index` relative to the centre `from`, or for a wall the way into it as
- * seen by the mobile particle at `from`; zero where there is no such wall. */
-packing_vec3 packing_i_touch_towards(const packing_contact_task *task, int index,
-                                     packing_vec3 from);
+/* A point from which all walls of the task are seen: `from` itself or the centre of a particle
+ * (edges and facets of polygons and meshes are not seen from everywhere). Returns 0 where there is
+ * none. */
+int packing_i_touch_view(const packing_contact_task *task, packing_vec3 *from);
 
 /* The line along which the approximate methods come (section 3.4.3). */
 typedef struct packing_i_touch_line {
   packing_vec3 middle; /* c_m */
   packing_vec3 along;  /* u, unit, to the side */
   double length;       /* 2 R */
+  int is_free;         /* whether the mobile particle is free of all bodies at c_0 */
 } packing_i_touch_line;
 
 /* Returns 0 where the bodies have no such line: centres in a row, opposite walls. */
