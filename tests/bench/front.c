@@ -67,13 +67,13 @@ static packing_context *context_of(int threads, counted *memory)
 
 /* ---- inputs ---- */
 
-typedef enum shape { CUBE, SQUARE, CYLINDER } shape;
-typedef enum sizes { UNIFORM, EQUAL, NORMAL } sizes;
+typedef enum job_shape { CUBE, SQUARE, CYLINDER } job_shape;
+typedef enum job_sizes { UNIFORM, EQUAL, NORMAL } job_sizes;
 
 typedef struct job {
   const char *name;
-  shape shape;
-  sizes sizes;
+  job_shape shape;
+  job_sizes sizes;
   packing_front_mode mode;
   double length; /* edge, or radius of a cylinder twice as high */
   size_t count;  /* 0: as many as fit */
@@ -199,14 +199,14 @@ static void print_result(const job *j, packing_context *context, packing_domain 
 {
   packing_view view;
   packing_volume_report volume;
-  packing_sizes_report sizes;
+  packing_sizes_report radii;
   packing_audit_report audit;
   packing_volume_report_init(&volume);
-  packing_sizes_report_init(&sizes);
+  packing_sizes_report_init(&radii);
   packing_audit_report_init(&audit);
   packing_particles_view(store, &view);
   must(packing_measure_volume(context, NULL, domain, &view, &volume));
-  must(packing_measure_sizes(context, psd, &view, &sizes));
+  must(packing_measure_sizes(context, psd, &view, &radii));
   must(packing_audit(context, NULL, domain, &view, &audit));
   printf(
       "%-22s %-5s %d thread%s %9zu in %7.2f s = %7.0f/s  inner %.4f  whole %.4f  KS "
@@ -214,7 +214,7 @@ static void print_result(const job *j, packing_context *context, packing_domain 
       j->name, packing_front_mode_name(j->mode), j->threads,
       j->threads == 1 ? ", " : "s,", r->placed, r->seconds,
       (double)r->placed / r->seconds, volume.inner_fraction, volume.volume_fraction,
-      sizes.ks, sizes.ks_limit, audit.max_overlap, audit.max_protrusion,
+      radii.ks, radii.ks_limit, audit.max_overlap, audit.max_protrusion,
       (double)r->bytes / (double)r->placed, 1e3 * r->longest_step);
   if (j->sizes == EQUAL)
     print_order(context, domain, &view, j->shape == SQUARE ? 2 : 3);
