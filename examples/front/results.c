@@ -96,27 +96,22 @@ static cJSON *report_options(const front_job *job)
   return all;
 }
 
-static cJSON *report_list(const front_job *job)
+static void report_list(cJSON *all, const front_job *job)
 {
-  if (!job->list.count)
-    return NULL;
-  cJSON *all = cJSON_CreateArray();
-  for (size_t i = 0; all && i < job->list.count; i++) {
+  cJSON *rows = report_add_list(all, "list");
+  for (size_t i = 0; i < job->list.count; i++) {
     cJSON *row = report_new();
     report_add_real(row, "radius", job->list.classes[i].r);
     report_add_count(row, "asked", job->list.classes[i].count);
     report_add_count(row, "unplaced", job->list.left[i]);
-    report_append_item(all, row);
+    report_append_item(rows, row);
   }
-  return all;
 }
 
-static cJSON *report_grades(const front_job *job)
+static void report_grades(cJSON *all, const front_job *job)
 {
-  if (!job->asked->grade_count)
-    return NULL;
-  cJSON *all = cJSON_CreateArray();
-  for (size_t i = 0; all && i < job->asked->grade_count; i++) {
+  cJSON *rows = report_add_list(all, "grades");
+  for (size_t i = 0; i < job->asked->grade_count; i++) {
     const front_grade *g = &job->grades[i];
     cJSON *row = report_new();
     report_add_text(row, "domain", g->where);
@@ -124,17 +119,15 @@ static cJSON *report_grades(const front_job *job)
     report_add_count(row, "particles", g->count);
     report_add_real(row, "ks", g->ks);
     report_add_real(row, "ks_limit", g->ks_limit);
-    report_append_item(all, row);
+    report_append_item(rows, row);
   }
-  return all;
 }
 
-static cJSON *report_components(const front_job *job)
+static void report_components(cJSON *all, const front_job *job)
 {
-  if (!job->components)
-    return NULL;
-  cJSON *all = cJSON_CreateArray();
-  for (size_t i = 0; all && i < packing_psd_components(job->psd); i++) {
+  const size_t count = job->components ? packing_psd_components(job->psd) : 0;
+  cJSON *rows = report_add_list(all, "components");
+  for (size_t i = 0; i < count; i++) {
     const packing_size_component *c = &job->components[i];
     cJSON *row = report_new();
     report_add_count(row, "particles", c->count);
@@ -145,9 +138,8 @@ static cJSON *report_components(const front_job *job)
     report_add_real(row, "mass_placed", c->mass_placed);
     report_add_real(row, "ks", c->ks);
     report_add_real(row, "ks_p", c->ks_p);
-    report_append_item(all, row);
+    report_append_item(rows, row);
   }
-  return all;
 }
 
 static cJSON *report_settling(const front_job *job)
@@ -173,9 +165,9 @@ static cJSON *report_front(const front_job *job)
   report_add_count(all, "on_front", job->on_front);
   report_add_real(all, "placed_volume_fraction", job->placed.volume_fraction);
   report_add_real(all, "loosened_volume_fraction", job->loosened);
-  report_add_item(all, "components", report_components(job));
-  report_add_item(all, "grades", report_grades(job));
-  report_add_item(all, "list", report_list(job));
+  report_components(all, job);
+  report_grades(all, job);
+  report_list(all, job);
   report_add_item(all, "settle", report_settling(job));
   return all;
 }

@@ -33,12 +33,12 @@ CONVERT = {
     "VTK": ["--in", "v.vtp", "--domain", "box:4,4,4"],
 }
 FRONT = {
-    "spheres": ["--domain", "cylinder:2,4", "--psd", "0.5*mono:0.5+0.5*uniform:0.3,0.4",
-                "--in", "p.csv", "--grade", "mono:0.3@box:9,9,2", "--count", "20"],
-    "paper": ["--domain", "box:4,4,4", "--psd", "sample:s.txt", "--mode", "paper", "--count",
-              "12", "--loosen", "remove", "--target-porosity", "0.999"],
+    "spheres": ["--domain", "box:4,4,4", "--psd", "0.5*mono:0.5+0.5*uniform:0.3,0.4",
+                "--in", "p.csv", "--grade", "mono:0.3@box:9,9,2", "--count", "20", "--quiet"],
+    "paper": ["--domain", "box:2,2,2", "--psd", "sample:s.txt", "--mode", "paper", "--loosen",
+              "remove", "--target-porosity", "0.95", "--trace", "trace.csv"],
     "a list of discs": ["--domain", "circle:3", "--list", "l.csv", "--mode", "fast",
-                        "--settle", "gravity", "--settle-time", "0.05"],
+                        "--settle", "gravity", "--settle-time", "0.05", "--quiet"],
 }
 MEASURE = {
     "spheres": ["--in", "p.csv", "--psd", "0.5*curve:c.csv+0.5*sample:s.txt", "--sieves",
@@ -88,7 +88,7 @@ def run(program, arguments, fail_at):
         result = folder.run(*arguments, *outs, "--threads", "1", "--report", "report.json",
                             env=dict(os.environ, LD_PRELOAD=MODULE, FAIL_AT=str(fail_at)))
         result.files = {name: folder.read(name) for name in result.files
-                        if name not in INPUT}
+                        if name not in INPUT and name != "trace.csv"}  # times
     if "report.json" in result.files:
         report = json.loads(result.files["report.json"])
         without_times(report)
