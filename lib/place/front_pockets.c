@@ -75,6 +75,17 @@ static packing_vec3 tile_edge(packing_i_pockets *p)
   return edge;
 }
 
+/* Cells along the edge of a tile: each holds a few particles of the middle sizes by volume, and
+ * tiles hold no more than 32^3 of them. */
+static int cells_along(const packing_i_pockets *p, double edge)
+{
+  const packing_i_source *source = p->front.source;
+  const double middle = packing_i_source_moment(source, p->dim + 1) /
+                        packing_i_source_moment(source, p->dim);
+  const double n = ceil(edge / (2.6 * middle));
+  return n < 6 ? 6 : n < 32 ? (int)n : 32;
+}
+
 static double expected(const packing_i_pockets *p)
 {
   const packing_placer *placer = p->placer;
@@ -126,10 +137,13 @@ static packing_status start(packing_i_pockets *p, const packing_front_def *def,
                  : 1;
   const packing_vec3 edge = tile_edge(p);
   p->colours = p->lanes > 1 ? 8 : 1;
+  const int n_edge = cells_along(p, edge.x);
+  const int cells[3] = {n_edge, n_edge, p->dim == 2 ? 1 : n_edge};
   packing_vec3 origin = p->bounds.lo;
   if (p->dim == 2)
-    origin.z = -edge.z * (0.5 + 0.5 / PACKING_I_TILE_EDGE);
-  packing_i_front_grid_init(&p->grid, packing_i_allocator(placer->context), origin, edge);
+    origin.z = -0.5 * edge.z;
+  packing_i_front_grid_init(&p->grid, packing_i_allocator(placer->context), origin, edge,
+                            cells);
   PACKING_I_TRY(start_lanes(p, def, stock));
   if (n < 1e9) /* a guess: the store grows beyond it if need be */
     PACKING_I_TRY(packing_particles_reserve(
