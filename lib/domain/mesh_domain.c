@@ -8,7 +8,9 @@
 #include "domain_kinds.h"
 #include "mesh/surface_internal.h"
 
-static const double VOLUME_TOLERANCE = 1e-4; /* of an inset */
+/* Of an inset: distances asked for at most (a second or two), what is tried for, what will do. */
+enum { CALLS_FOR_VOLUME = 1 << 21 };
+static const double VOLUME_TOLERANCE = 1e-4, MOST_TOLERANCE = 1e-2;
 
 static double signed_distance(const packing_i_domain_body *body,
                               const packing_vec3 *point, packing_vec3 *normal)
@@ -74,11 +76,39 @@ static int near_walls(const packing_i_domain_body *body, const packing_vec3 *poi
   return count;
 }
 
+/* The bounds of what is left; 0: nothing is. */
+static int shrink(packing_bounds *bounds, double d)
+{
+  for (int k = 0; k < 3; k++) {
+    const double lo = packing_i_component(bounds->lo, k) + d;
+    const double hi = packing_i_component(bounds->hi, k) - d;
+    if (!(lo < hi))
+      return 0;
+    packing_i_set_component(&bounds->lo, k, lo);
+    packing_i_set_component(&bounds->hi, k, hi);
+  }
+  return 1;
+}
+
 static packing_status inset(packing_context *context, packing_i_domain_body *body,
                             double d)
 {
+  const packing_vec3 nowhere = {0, 0, 0};
+  const packing_i_tolerance enough = {0, VOLUME_TOLERANCE};
+  double error;
   body->as.mesh.inset += d;
-  return packing_i_custom_inset(context, body, d, VOLUME_TOLERANCE);
+  body->volume = 0;
+  if (!shrink(&body->bounds, d) ||
+      packing_i_subdivide_sides(body, &nowhere, 0, enough, CALLS_FOR_VOLUME,
+                                &body->volume, &error) != 0)
+    return PACKING_OK;
+  if (error > MOST_TOLERANCE * body->volume)
+    return packing_i_fail(
+        context, PACKING_ERR_RANGE, "distance", PACKING_NO_INDEX,
+        "what is left of the mesh at %g from its walls is too little to "
+        "tell its volume, some %g",
+        d, body->volume);
+  return PACKING_OK;
 }
 
 static int sphere_volume(const packing_i_domain_body *body, const packing_vec3 *centre,
