@@ -379,7 +379,7 @@ static inline void packing_domain_mesh_def_init(packing_domain_mesh_def *def)
 
 /** Makes the inside of a closed surface. Its distance is exact, that of points far outside too; a
  *  query takes O(log N) time. Its volume is exact; that of an inset comes by subdivision, to 1e-4
- *  where some 1e6 distances are enough for that, to 1e-2 at the worst.
+ *  where some 5e5 distances are enough for that, to 1e-2 at the worst.
  *  \param context NULL is fine; its threads share the check
  *  \param def options; the mesh has no default
  *  \param[out] domain the container
