@@ -120,13 +120,15 @@ static double bend(const packing_i_domain_body *body, const packing_vec3 *centre
       fabs(normal.x) < 0.5 ? packing_i_vec(1, 0, 0) : packing_i_vec(0, 1, 0);
   packing_vec3 u = packing_i_cross(normal, aside);
   u = packing_i_scale(u, 1 / packing_i_norm(u));
-  const packing_vec3 ways[3] = {normal, u, packing_i_cross(normal, u)};
+  const packing_vec3 v = packing_i_cross(normal, u);
   double most = 0;
-  for (int i = 0; i < 6; i++) {
-    const packing_vec3 by = packing_i_scale(ways[i / 2], i % 2 ? 0.75 * r : -0.75 * r);
-    const packing_vec3 p = packing_i_add(*centre, by);
-    const double plane = distance + packing_i_dot(by, normal);
-    most = fmax(most, fabs(signed_distance(body, &p, NULL) - plane));
+  for (int i = 0; i < 27; i++) {
+    const packing_vec3 way = packing_i_vec(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const double by = 0.9 * r / fmax(packing_i_norm(way), 1);
+    const packing_vec3 p = packing_i_add(
+        packing_i_add(*centre, packing_i_scale(normal, by * way.x)),
+        packing_i_add(packing_i_scale(u, by * way.y), packing_i_scale(v, by * way.z)));
+    most = fmax(most, fabs(signed_distance(body, &p, NULL) - (distance + by * way.x)));
   }
   return most;
 }
