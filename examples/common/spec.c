@@ -19,6 +19,7 @@ const char spec_domain_help[] =
     "  polygon:FILE            in two dimensions, with holes: a header line 'x,y', then\n"
     "                          a vertex a line; a blank line, or another number in a\n"
     "                          column 'ring', begins the next ring\n"
+    "  mesh:FILE               a closed surface of triangles: STL, OBJ, PLY\n"
     "  ...,axis=x              or y: the axis of a cylinder, tube, cone, silo\n"
     "  ...+periodic            box, rect; +periodic:xy in these directions only\n"
     "  ...+open:top            without a wall at the top\n"

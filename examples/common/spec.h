@@ -20,7 +20,8 @@ typedef enum domain_kind {
   DOMAIN_SPHERE,
   DOMAIN_CIRCLE,
   DOMAIN_ANNULUS,
-  DOMAIN_POLYGON
+  DOMAIN_POLYGON,
+  DOMAIN_MESH
 } domain_kind;
 
 /* A container as it was asked for, scaled and moved. Where it is combined with others,
