@@ -6,13 +6,14 @@ usage: solids.py PACKING_CLOUD PACKING_MEASURE PACKING_CONVERT
 """
 import json
 import math
+import os
 import sys
 from cli import SYSTEM, Folder, equal, holds, main, refuses
 
 SMALL = ["--psd", "mono:0.1", "--count", "8"]
 L = ("l.csv", "# an L with a hole\nx,y\n0,0\n4,0\n4,2\n2,2\n2,5\n0,5\n\n"
               "0.5,0.5\n1.5,0.5\n1.5,1.5\n0.5,1.5\n")
-MEASURE, CONVERT = sys.argv[2], sys.argv[3]
+MEASURE, CONVERT = os.path.abspath(sys.argv[2]), os.path.abspath(sys.argv[3])
 
 
 def makes(volume, *arguments, within=1e-12, files=(L,)):
@@ -80,10 +81,12 @@ TESTS = [
     ("polygon scaled and moved", makes(52, "--domain", "polygon:l.csv+scale:2+at:5,5")),
     ("union", makes(3, "--domain", "box:2,1,1", "--or", "box:1,2,1")),
     ("touching", makes(3, "--domain", "box:2,1,1", "--or", "box:1,1,1+at:2,0,0")),
+    ("the first scaled", makes(8 + 1, "--domain", "box:1,1,1+scale:2", "--or",
+                               "box:1,1,1+at:2,0,0")),
     ("intersection", makes(1, "--domain", "box:2,1,1", "--and", "box:1,2,1")),
     ("difference", makes(1, "--domain", "box:2,1,1", "--minus", "box:1,2,1")),
     ("left to right", makes(1.5, "--domain", "box:2,1,1", "--or", "box:1,2,1", "--and",
-                            "box:9,9,0.5")),
+                            "box:9,9,0.5", within=1e-5)),
     ("axis", makes(2 * math.pi, "--domain", "cylinder:1,3,axis=x", "--minus",
                    "box:1,4,4+at:1,-2,-2")),
     ("polygon and circle", makes(math.pi / 4, "--domain", "polygon:l.csv", "--and",
@@ -95,7 +98,7 @@ TESTS = [
     refused(["--and", "nothing is left"], *BOX, "--and", "box:1,1,1+at:5,0,0"),
     refused(["--minus", "nothing is left"], *BOX, "--minus", "box:3,3,3+at:-1,-1,-1"),
     refused(["--or", "unknown container 'ball'"], *BOX, "--or", "ball:1"),
-    refused(["--minus", "R is missing"], *BOX, "--minus", "sphere:"),
+    refused(["--minus", "a number is missing"], *BOX, "--minus", "sphere:"),
     refused(["--or", "periodic"], "--domain", "box:1,1,1+periodic", "--or", "sphere:1"),
     refused(["--minus", "open top"], *BOX, "--minus", "box:1,1,1+open:top"),
     refused(["--domain", "FILE is missing"], "--domain", "polygon:"),
