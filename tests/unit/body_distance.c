@@ -155,6 +155,16 @@ static void from_the_gap(void **state)
   a.orientation[0] = a.orientation[2] = sqrt(0.5);
   assert_near(distance(a, fixed, 1, 0, 0), 5 - sqrt(1.5 * 1.5 - 0.25), 1e-14);
   packing_shape_destroy(plain);
+
+  /* All but grazing: an overlap of 1e-6 on a way of 4e-3. */
+  packing_shape *round = test_cluster(1, 0);
+  packing_body b = sphere(-5, 2 - 1e-6, 0, 1);
+  const double way = distance(b, fixed, 1, 0, 0);
+  b.shape = round;
+  b.orientation[0] = 1;
+  assert_near(way, 5 - 2e-3, 1e-8);
+  assert_near(distance(b, fixed, 1, 0, 0), way, 1e-11);
+  packing_shape_destroy(round);
 }
 
 static packing_body wall(const packing_domain *domain, int number)
