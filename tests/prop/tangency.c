@@ -156,9 +156,12 @@ static void sizes_far_apart(void **state)
     const int other = place(1, &task, b);
     if (count > 0)
       assert_int_equal(other, count);
-    for (int k = 0; k < other; k++)
+    for (int k = 0; k < other; k++) {
       assert_near(touching_worst(&task, b[k]), 0.0,
                   fmax(1e-12 * task.mobile.r, 2 * limit));
+      if (count > 0)
+        assert_near(touching_apart(a[k], b[k]), 0.0, 1e-6 * task.mobile.r);
+    }
   }
   assert_true(found > 2000);
 }

@@ -272,6 +272,20 @@ static void across_a_cylinder(void **state)
   assert_near(distance(a, all, -1, 0, 0), 8, 1e-14);
   assert_near(distance(a, all, -0.6, 0.8, 0), 4.8, 1e-14);
   assert_true(distance(a, all, 0.6, 0.8, 0) == 0);
+  /* Protruding: touching when it goes on, let out when it comes back. */
+  assert_true(distance(sphere(4.5, 0, 10, 1), all, 1, 0, 0) == 0);
+  assert_near(distance(sphere(4.5, 0, 10, 1), all, -1, 0, 0), 8.5, 1e-14);
+  packing_domain_destroy(domain);
+}
+
+/* Past the tip of a cone, outside: the cone's other half is no wall. */
+static void past_a_tip(void **state)
+{
+  (void)state;
+  const scene s = {.kind = SCENE_CONE, .a = 3, .b = 0, .c = 2, .axis = 2};
+  packing_domain *domain = scene_make(&s);
+  for (int k = 0; k < 3; k++)
+    assert_true(distance(sphere(-1, 0, 2.5, 0.1), wall(domain, k), 1, 0, 0) == HUGE_VAL);
   packing_domain_destroy(domain);
 }
 
@@ -281,7 +295,7 @@ int main(void)
       cmocka_unit_test(figure_8),          cmocka_unit_test(borders),
       cmocka_unit_test(far_away),          cmocka_unit_test(among_particles),
       cmocka_unit_test(from_the_gap),      cmocka_unit_test(to_walls),
-      cmocka_unit_test(across_a_cylinder),
+      cmocka_unit_test(across_a_cylinder), cmocka_unit_test(past_a_tip),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
