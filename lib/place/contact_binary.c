@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Placing a particle in contact by bisection (seed 001, 3.4.3, equation 3): on the line from c_m
+/* Placing a particle in contact by bisection (Perez Morales et al., 3.4.3, equation 3): on the line from c_m
  * (t = 0) to c_0 = c_m + 2 R u (t = 1) f(t) is 1 where the particle is free of all bodies, and
  * t* = inf {t : f = 1 on [t, 1]}. Nothing but "do they overlap" is asked of the shapes. At least
  * one body is touched, to the tolerance of 2^-40 of the mobile radius.

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The line of the approximate methods (seed 001, 3.4.3): through the mean c_m of the centres,
+/* The line of the approximate methods (Perez Morales et al., 3.4.3): through the mean c_m of the centres,
  * along the normal u of the segment (2D) or triangle (3D) of the centres, from c_0 = c_m + 2 R u
  * to c_m, R the largest circumscribed radius of all; at c_0 the mobile particle is free of all
  * fixed ones, for u is normal to c_m - c_i.

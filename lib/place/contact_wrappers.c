@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Placing a particle in contact by intersecting wrappers (seed 001, 3.4.1): the wrapper of a body
+/* Placing a particle in contact by intersecting wrappers (Perez Morales et al., 3.4.1): the wrapper of a body
  * is the surface on which the mobile centre lies while the particles touch. That of a sphere is a
  * sphere of radius r + r_i, that of a flat wall a plane at the distance r.
  *

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gaps between bodies (seed 001, equation 1): positive apart, 0 in outer contact, negative where
+/* Gaps between bodies (Perez Morales et al., equation 1): positive apart, 0 in outer contact, negative where
  * the insides overlap.
  *
  *   spheres, discs   |c_1 - c_2| - (r_1 + r_2), the same to the bit when they are swapped

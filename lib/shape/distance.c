@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Directional distance (seed 001, 3.4.3, equations 4 to 10): the least t >= 0 at which a body
+/* Directional distance (Perez Morales et al., 3.4.3, equations 4 to 10): the least t >= 0 at which a body
  * moved by t v touches another, infinity if it never does.
  *
  * Spheres: w from the fixed to the mobile centre, s the sum of the radii; |w + t v| = s has the
