@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far a sphere of radius r can go until it touches a wall of a built-in container. All their
- * walls are of one form: with rho the length of the part w + t u of the way across an axis (or of
- * all of it, around a centre) and h + t k the height along the axis, the sphere's gap is
+/* How far a sphere of radius r can go until it touches a wall of a built-in container.
+ * All their walls are of one form: with rho the length of the part w + t u of the way
+ * across an axis (or of all of it, around a centre) and h + t k the height along the
+ * axis, the sphere's gap is
  *
  *   f(t) = a |w + t u| + b (h + t k) + c - r,   a^2 + b^2 = 1,
  *
- * a plane where a = 0, a cylinder where b = 0, else a cone; with w and u in full a sphere. The
- * roots of f are those of |w + t u|^2 = (E + F t)^2 with E + F t >= 0, a quadratic; the first at
- * which f falls is the contact (a concave wall may be touched at the start, left, and met again
- * on the other side). Its last coefficient is taken as (|w| - E) (|w| + E), so that little is lost
- * next to a wall. Constant time. */
+ * a plane where a = 0, a cylinder where b = 0, else a cone; with w and u in full a
+ * sphere. The roots of f are those of |w + t u|^2 = (E + F t)^2 with E + F t >= 0, a
+ * quadratic; the first at which f falls is the contact (a concave wall may be touched at
+ * the start, left, and met again on the other side). Its last coefficient is taken as
+ * (|w| - E) (|w| + E), so that little is lost next to a wall. Constant time. */
 #include "domain/domain_internal.h"
 #include "shape_internal.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Directional distances (F9): the four cases of Figure 8, rays among spheres, clusters and walls
- * against a dense scan and bisection of the gap. */
+/* Directional distances (F9): the four cases of Figure 8, rays among spheres, clusters
+ * and walls against a dense scan and bisection of the gap. */
 #include "cluster.h"
 #include "domain_scenes.h"
 
@@ -16,7 +16,8 @@ static double distance(packing_body a, packing_body b, double x, double y, doubl
   return packing_body_distance(&a, &b, &direction);
 }
 
-/* Figure 8: towards and hit, towards and missed, away (twice). Only the first is a contact. */
+/* Figure 8: towards and hit, towards and missed, away (twice). Only the first is a
+ * contact. */
 static void figure_8(void **state)
 {
   (void)state;
@@ -45,7 +46,8 @@ static void borders(void **state)
   assert_true(distance(sphere(nextafter(-5, 0), 0, 0, 3), fixed, -1, 0, 0) == HUGE_VAL);
 }
 
-/* From far away nothing cancels: 1e8 radii off the contact is met to rounding of the way. */
+/* From far away nothing cancels: 1e8 radii off the contact is met to
+ * rounding of the way. */
 static void far_away(void **state)
 {
   (void)state;
@@ -104,7 +106,8 @@ static packing_body random_body(uint64_t *random, const packing_shape *shape, in
   return body;
 }
 
-/* Spheres and clusters; the library's own way from the gap finds the cluster's exact distance. */
+/* Spheres and clusters; the library's own way from the gap finds the cluster's exact
+ * distance. */
 static void among_particles(void **state)
 {
   (void)state;
@@ -181,7 +184,8 @@ static double custom_distance(void *user, const packing_vec3 *point, packing_vec
   return packing_domain_signed_distance(user, point, normal);
 }
 
-/* A container of the user's with the distances of another one: no closed form is known. */
+/* A container of the user's with the distances of another one: no closed form is
+ * known. */
 static packing_domain *disguised(packing_domain *domain)
 {
   packing_domain_custom_def def;
