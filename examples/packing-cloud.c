@@ -222,7 +222,7 @@ static int set_up(cloud *c)
   if (!code)
     code = options_context(o, &c->context);
   if (!code)
-    code = domain_spec_create(c->context, &c->spec, &c->domain);
+    code = domain_spec_create_noting(c->context, &c->spec, &c->input, &c->domain);
   if (!code)
     code = psd_spec_create(c->context, o->psd, c->spec.dim, &c->psd, &c->input);
   if (!code)

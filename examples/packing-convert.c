@@ -26,7 +26,7 @@ static int set_up(convert_job *job)
   if (!code)
     code = input_domain(&o->in, o->common.domain, &job->spec, &job->domain_text);
   if (!code)
-    code = domain_spec_create(job->context, &job->spec, &job->domain);
+    code = domain_spec_create_noting(job->context, &job->spec, &job->files, &job->domain);
   if (!code && job->domain_text)
     job->first_domain = program_copy(job->domain_text, strlen(job->domain_text));
   return code;

@@ -10,6 +10,9 @@
 
 enum {
   KEY_DOMAIN = 0x100,
+  KEY_AND,
+  KEY_OR,
+  KEY_MINUS,
   KEY_PSD,
   KEY_COUNT,
   KEY_MASS,
@@ -31,6 +34,9 @@ enum {
 static const struct argp_option pack_table[] = {
     {NULL, 0, NULL, 0, "What and where:", 1},
     {"domain", KEY_DOMAIN, "SPEC", 0, "the container", 1},
+    {"or", KEY_OR, "SPEC", 0, "joined with this one", 1},
+    {"and", KEY_AND, "SPEC", 0, "only what lies in this one too", 1},
+    {"minus", KEY_MINUS, "SPEC", 0, "without what lies in this one", 1},
     {NULL, 0, NULL, 0, "Randomness and machine:", 6},
     {"threads", KEY_THREADS, "N", 0, "threads (default all cores)", 6},
     {"isa", KEY_ISA, "NAME", 0,
@@ -178,12 +184,47 @@ static int read_once(const char *option, const char *text, const char **slot)
   return 0;
 }
 
+/* Onto the end of what --domain will be combined with. */
+static int read_combined(options *o, const char *option, const char *text)
+{
+  const size_t before = o->combined ? strlen(o->combined) : 0;
+  const size_t size = before + strlen(option) + strlen(text) + 3;
+  o->combined = program_take_more(o->combined, size, 1);
+  snprintf(o->combined + before, size - before, " %s %s", option, text);
+  return 0;
+}
+
+/* --domain with what it is combined with, at the end of the command line. */
+static int join_domain(options *o)
+{
+  if (!o->combined)
+    return 0;
+  if (!o->domain)
+    return program_fail(PROGRAM_BAD_INPUT,
+                        "--or, --and, --minus: --domain is missing, to combine with");
+  const size_t size = strlen(o->domain) + strlen(o->combined) + 1;
+  o->joined = program_take(size, 1);
+  snprintf(o->joined, size, "%s%s", o->domain, o->combined);
+  o->domain = o->joined;
+  free(o->combined);
+  o->combined = NULL;
+  return 0;
+}
+
 /* The exit code of reading one option; -1 for keys that are none of ours. */
 static int read_option(int key, const char *text, options *o)
 {
   switch (key) {
   case KEY_DOMAIN:
     return read_once("--domain", text, &o->domain);
+  case KEY_OR:
+    return read_combined(o, "--or", text);
+  case KEY_AND:
+    return read_combined(o, "--and", text);
+  case KEY_MINUS:
+    return read_combined(o, "--minus", text);
+  case ARGP_KEY_END:
+    return join_domain(o);
   case KEY_PSD:
     return read_once("--psd", text, &o->psd);
   case KEY_DENSITY:
@@ -412,6 +453,8 @@ void options_free(options *o)
 {
   outputs_free(&o->outputs);
   free(o->out);
+  free(o->combined);
+  free(o->joined);
 }
 
 /* Pack after pack would repeat the warning about one field with other numbers. */

@@ -11,7 +11,9 @@
 #include "output.h"
 
 typedef struct options {
-  const char *domain; /* NULL: not given */
+  const char *domain; /* NULL: not given; what it is combined with stands behind it */
+  char *combined;     /* while options are read: that */
+  char *joined;       /* what `domain` points to then */
   const char *psd;    /* NULL: not given */
   size_t count;       /* 0: not given */
   double mass;        /* NaN: not given */

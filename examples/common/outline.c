@@ -145,12 +145,13 @@ static void trace_body(const tracer *t)
   }
 }
 
-void outline_trace(const domain_spec *spec, packing_vec3 toward, outline_piece piece,
-                   void *user)
+static void trace_part(void *user, const domain_spec *spec)
 {
-  const tracer t = {spec, toward, piece, user};
+  tracer t = *(const tracer *)user;
+  t.spec = spec;
   switch (spec->kind) {
   case DOMAIN_NONE:
+  case DOMAIN_POLYGON: /* its corners are in a file */
     break;
   case DOMAIN_BOX:
   case DOMAIN_RECT:
@@ -166,4 +167,11 @@ void outline_trace(const domain_spec *spec, packing_vec3 toward, outline_piece p
   default:
     trace_body(&t);
   }
+}
+
+void outline_trace(const domain_spec *spec, packing_vec3 toward, outline_piece piece,
+                   void *user)
+{
+  tracer t = {spec, toward, piece, user};
+  domain_spec_each(spec, trace_part, &t);
 }

@@ -16,11 +16,17 @@ const char spec_domain_help[] =
     "  sphere:R                centred at the origin\n"
     "  circle:R                the same in two dimensions\n"
     "  annulus:RI,RO           between two circles\n"
+    "  polygon:FILE            in two dimensions, with holes: a header line 'x,y', then\n"
+    "                          a vertex a line; a blank line, or another number in a\n"
+    "                          column 'ring', begins the next ring\n"
     "  ...,axis=x              or y: the axis of a cylinder, tube, cone, silo\n"
     "  ...+periodic            box, rect; +periodic:xy in these directions only\n"
     "  ...+open:top            without a wall at the top\n"
     "  ...+at:X,Y,Z            moved\n"
-    "  ...+scale:S             times S; what is appended applies left to right\n";
+    "  ...+scale:S             times S; what is appended applies left to right\n"
+    "  --or SPEC               --domain joined with another container, --and: what both\n"
+    "                          have in common, --minus: without the other; left to\n"
+    "                          right, none of them periodic or open\n";
 
 const char spec_psd_help[] =
     "Sizes (--psd), in radii:\n"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* --domain: KIND:FIELDS[,axis=A][+MODIFIER[:VALUE]]... */
+/* One container of --domain: KIND:FIELDS[,axis=A][+MODIFIER[:VALUE]]... */
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -7,8 +7,9 @@
 #include <string.h>
 #include "program.h"
 #include "spec.h"
+#include "tap.h"
 
-enum { PERIODIC = 1, OPEN = 2, AXIS = 4 };
+enum { PERIODIC = 1, OPEN = 2, AXIS = 4, FROM_FILE = 8 };
 
 typedef struct kind_row {
   const char *name;
@@ -36,6 +37,7 @@ static const kind_row kinds[] = {
     {"sphere", "sphere:R", {"R"}, DOMAIN_SPHERE, 3, 0, 0},
     {"circle", "circle:R", {"R"}, DOMAIN_CIRCLE, 2, 0, 0},
     {"annulus", "annulus:RI,RO", {"RI", "RO"}, DOMAIN_ANNULUS, 2, 0, 0},
+    {"polygon", "polygon:FILE", {NULL}, DOMAIN_POLYGON, 2, FROM_FILE, 0},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -153,11 +155,7 @@ static int read_scale(const char *value, domain_spec *spec)
   const int code = number_positive(where, value, &scale);
   if (code)
     return code;
-  for (size_t i = 0; i < 4; i++)
-    spec->size[i] *= scale;
-  spec->at.x *= scale;
-  spec->at.y *= scale;
-  spec->at.z *= scale;
+  domain_spec_scale(spec, scale);
   return 0;
 }
 
@@ -186,6 +184,7 @@ void domain_spec_none(int dim, domain_spec *spec)
 {
   memset(spec, 0, sizeof *spec);
   spec->axis = PACKING_AXIS_Z;
+  spec->scale = spec->more_scale = 1;
   spec->dim = dim;
 }
 
@@ -201,21 +200,43 @@ static char *cut_modifier(char *at)
   return NULL;
 }
 
-static int parse(char *text, domain_spec *spec)
+/* The file's name stays where it is typed, at `typed`. */
+static int read_file_name(const kind_row *row, const char *fields, const char *typed,
+                          domain_spec *spec)
+{
+  if (!*fields)
+    return bad("FILE is missing, as in %s", row->form);
+  spec->file = typed;
+  spec->file_length = (int)strlen(fields);
+  return 0;
+}
+
+static int read_fields(const kind_row *row, char *fields, domain_spec *spec)
 {
   size_t count = 0;
+  char **words = spec_split(fields, ',', &count);
+  const int code = read_lengths(row, words, count, spec);
+  free(words);
+  return code;
+}
+
+static int parse(char *text, const char *typed, domain_spec *spec)
+{
   char *modifier = cut_modifier(text);
   char *fields = strchr(text, ':');
+  char *end = text + strlen(text);
   if (fields)
     *fields++ = '\0';
+  else
+    fields = end;
   const kind_row *row = find_kind(text);
   if (!row)
     return unknown_kind(text);
   spec->kind = row->kind;
   spec->dim = row->dim;
-  char **words = spec_split(fields ? fields : text + strlen(text), ',', &count);
-  int code = read_lengths(row, words, count, spec);
-  free(words);
+  int code = row->can & FROM_FILE
+                 ? read_file_name(row, fields, typed + (fields - text), spec)
+                 : read_fields(row, fields, spec);
   while (modifier && !code) {
     char *word = modifier;
     modifier = cut_modifier(word);
@@ -224,24 +245,16 @@ static int parse(char *text, domain_spec *spec)
   return code;
 }
 
-int domain_spec_parse_as(const char *named, const char *text, domain_spec *spec)
+int domain_part_parse(const char *named, const char *text, size_t length,
+                      domain_spec *spec)
 {
   option = named;
-  memset(spec, 0, sizeof *spec);
+  domain_spec_none(0, spec);
   spec->text = text;
-  spec->axis = PACKING_AXIS_Z;
-  for (const char *at = text; *at; at++)
-    if (iscntrl((unsigned char)*at))
-      return bad("a control character in it");
-  char *copy = program_copy(text, strlen(text));
-  const int code = parse(copy, spec);
+  char *copy = program_copy(text, length);
+  const int code = parse(copy, text, spec);
   free(copy);
   return code;
-}
-
-int domain_spec_parse(const char *text, domain_spec *spec)
-{
-  return domain_spec_parse_as("--domain", text, spec);
 }
 
 static void print_numbers(FILE *to, const double *v, size_t count)
@@ -260,6 +273,10 @@ static void print_modifiers(FILE *to, const domain_spec *s)
     fprintf(to, "+periodic:%s%s%s", s->periodic & PACKING_PERIODIC_X ? "x" : "",
             s->periodic & PACKING_PERIODIC_Y ? "y" : "",
             s->periodic & PACKING_PERIODIC_Z ? "z" : "");
+  if (s->scale != 1) {
+    fputs("+scale:", to);
+    print_numbers(to, &s->scale, 1);
+  }
   if (at[0] != 0 || at[1] != 0 || at[2] != 0) {
     fputs("+at:", to);
     print_numbers(to, at, (size_t)s->dim);
@@ -268,35 +285,21 @@ static void print_modifiers(FILE *to, const domain_spec *s)
     fputs("+open:top", to);
 }
 
-static void print_spec(FILE *to, const domain_spec *s)
+void domain_part_print(FILE *to, const domain_spec *s)
 {
   const kind_row *row = kinds;
   while (row->kind != s->kind)
     row++;
-  fprintf(to, "%s:", row->name);
+  fprintf(to, "%s:%.*s", row->name, s->file_length, s->file ? s->file : "");
   print_numbers(to, s->size, count_fields(row));
   if ((row->can & AXIS) && s->axis != PACKING_AXIS_Z)
     fprintf(to, ",axis=%c", "xyz"[s->axis]);
   print_modifiers(to, s);
 }
 
-char *domain_spec_text(const domain_spec *spec)
-{
-  char *text = NULL;
-  size_t size = 0;
-  FILE *to = open_memstream(&text, &size);
-  if (!to)
-    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
-  print_spec(to, spec);
-  const int failed = ferror(to);
-  if (fclose(to) != 0 || failed || !text)
-    exit(program_fail(PROGRAM_SYSTEM, "out of memory"));
-  return text;
-}
-
 double *domain_spec_height(domain_spec *spec)
 {
-  for (size_t i = 0; i < KINDS; i++)
+  for (size_t i = 0; i < KINDS && !spec->more; i++)
     if (kinds[i].kind == spec->kind && kinds[i].height > 0)
       return &spec->size[kinds[i].height - 1];
   return NULL;
@@ -408,8 +411,45 @@ static packing_status create_sphere(packing_context *context, const domain_spec 
   return packing_domain_create_sphere(context, &def, domain);
 }
 
-int domain_spec_create(packing_context *context, const domain_spec *spec,
-                       packing_domain **domain)
+typedef packing_status (*file_reader)(packing_context *context, const domain_spec *spec,
+                                      const packing_stream *stream,
+                                      packing_domain **domain);
+
+static packing_status read_polygon(packing_context *context, const domain_spec *spec,
+                                   const packing_stream *stream, packing_domain **domain)
+{
+  packing_read_polygon_def def;
+  packing_read_polygon_def_init(&def);
+  def.scale = spec->scale;
+  def.offset = spec->at;
+  return packing_read_polygon(context, &def, stream, domain);
+}
+
+static int create_from_file(packing_context *context, const domain_spec *spec,
+                            file_reader reader, input_files *files,
+                            packing_domain **domain)
+{
+  char where[512];
+  packing_file *file = NULL;
+  char *path = program_copy(spec->file, (size_t)spec->file_length);
+  snprintf(where, sizeof where, "%s: %s", option, path);
+  packing_status status = packing_file_open(context, path, &file);
+  if (status == PACKING_OK) {
+    tap t;
+    tap_open(&t, packing_file_stream(file));
+    status = reader(context, spec, &t.stream, domain);
+    if (status == PACKING_OK && files)
+      tap_note(&t, files, path);
+    packing_file_close(file);
+  } else {
+    snprintf(where, sizeof where, "%s", option);
+  }
+  free(path);
+  return status == PACKING_OK ? 0 : program_status(context, status, where);
+}
+
+int domain_part_create(packing_context *context, const domain_spec *spec,
+                       input_files *files, packing_domain **domain)
 {
   static packing_status (*const create[])(packing_context *, const domain_spec *,
                                           packing_domain **) = {
@@ -418,8 +458,8 @@ int domain_spec_create(packing_context *context, const domain_spec *spec,
       [DOMAIN_CONE] = create_cone,         [DOMAIN_SILO] = create_silo,
       [DOMAIN_SPHERE] = create_sphere,     [DOMAIN_CIRCLE] = create_flat,
       [DOMAIN_ANNULUS] = create_flat};
-  if (spec->kind == DOMAIN_NONE)
-    return 0;
+  if (spec->kind == DOMAIN_POLYGON)
+    return create_from_file(context, spec, read_polygon, files, domain);
   const packing_status status = create[spec->kind](context, spec, domain);
   return status == PACKING_OK ? 0 : program_status(context, status, option);
 }

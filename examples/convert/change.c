@@ -76,10 +76,7 @@ static int scale(convert_job *job, const change *c)
   if (status != PACKING_OK)
     return convert_failed(job, c, status);
   domain_spec spec = job->spec;
-  for (size_t k = 0; k < sizeof spec.size / sizeof spec.size[0]; k++)
-    spec.size[k] *= c->factor;
-  spec.at =
-      (packing_vec3){c->factor * spec.at.x, c->factor * spec.at.y, c->factor * spec.at.z};
+  domain_spec_scale(&spec, c->factor);
   return set_spec(job, "--scale", &spec);
 }
 
@@ -96,7 +93,7 @@ static int shift(convert_job *job, const change *c)
   if (status != PACKING_OK)
     return convert_failed(job, c, status);
   domain_spec spec = job->spec;
-  spec.at = (packing_vec3){spec.at.x + by[0], spec.at.y + by[1], spec.at.z + by[2]};
+  domain_spec_shift(&spec, c->by);
   return set_spec(job, "--shift", &spec);
 }
 

@@ -12,7 +12,7 @@
  *  along their own line (upright in box, rectangle, cylinder, tube and silo, along the cone in
  *  a cone), and distances are those to the walls so continued. */
 
-#include <packing/types.h>
+#include <packing/mesh.h>
 
 PACKING_BEGIN_DECLS
 
@@ -358,6 +358,37 @@ static inline void packing_domain_custom_def_init(packing_domain_custom_def *def
 PACKING_API PACKING_WARN_UNUSED packing_status packing_domain_create_custom(
     packing_context *context, const packing_domain_custom_def *def,
     packing_domain **domain);
+
+/** Options of packing_domain_create_mesh(). */
+typedef struct packing_domain_mesh_def {
+  size_t struct_size; /**< set by packing_domain_mesh_def_init() */
+  packing_mesh *mesh; /**< the walls; the domain takes a hold of its own */
+} packing_domain_mesh_def;
+
+/** Writes the defaults; called through packing_domain_mesh_def_init().
+ *  \param[out] def the options
+ *  \param size `sizeof *def` as the caller knows it */
+PACKING_API void packing_domain_mesh_def_fill(packing_domain_mesh_def *def, size_t size);
+
+/** Sets every option to its default.
+ *  \param[out] def the options */
+static inline void packing_domain_mesh_def_init(packing_domain_mesh_def *def)
+{
+  packing_domain_mesh_def_fill(def, sizeof *def);
+}
+
+/** Makes the inside of a closed surface. Its distance is exact, that of points far outside too; a
+ *  query takes O(log N) time. Its volume is exact, the volume of an inset comes by subdivision to
+ *  1e-4.
+ *  \param context NULL is fine; its threads share the check
+ *  \param def options; the mesh has no default
+ *  \param[out] domain the container
+ *  \return PACKING_OK; PACKING_ERR_GEOMETRY (packing_mesh_check() finds a defect: the message says
+ *          which, how many and where); PACKING_ERR_INVALID (NULL); PACKING_ERR_RANGE;
+ *          PACKING_ERR_NOMEM; PACKING_ERR_ABI */
+PACKING_API PACKING_WARN_UNUSED packing_status
+packing_domain_create_mesh(packing_context *context, const packing_domain_mesh_def *def,
+                           packing_domain **domain);
 
 /** Makes the part of a domain at least `distance` from every wall (an open top is none): the
  *  same kind of container, smaller. Inside it distances to the walls are those of the domain

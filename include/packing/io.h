@@ -282,6 +282,41 @@ PACKING_API PACKING_WARN_UNUSED packing_status
 packing_read_curve(packing_context *context, const packing_read_curve_def *def,
                    const packing_stream *stream, packing_psd **psd);
 
+/** Options of packing_read_polygon(). */
+typedef struct packing_read_polygon_def {
+  size_t struct_size;  /**< set by packing_read_polygon_def_init() */
+  double scale;        /**< multiplies the coordinates [1], > 0; default 1 */
+  packing_vec3 offset; /**< is added to them then [L], z = 0; default 0 */
+} packing_read_polygon_def;
+
+/** Writes the defaults; called through packing_read_polygon_def_init().
+ *  \param[out] def the options
+ *  \param size `sizeof *def` as the caller knows it */
+PACKING_API void packing_read_polygon_def_fill(packing_read_polygon_def *def,
+                                               size_t size);
+
+/** Sets every option to its default.
+ *  \param[out] def the options */
+static inline void packing_read_polygon_def_init(packing_read_polygon_def *def)
+{
+  packing_read_polygon_def_fill(def, sizeof *def);
+}
+
+/** Reads a polygon with holes: `#` lines skipped, a header with `x` and `y` and perhaps `ring`
+ *  and `hole`, then a vertex a row. A blank line ends a ring, and so does another number under
+ *  `ring`; a last vertex equal to the first one of its ring is dropped. `hole` is 1 in rings
+ *  that are to be holes, else 0. At most 1e7 vertices.
+ *  \param context NULL is fine
+ *  \param def options, or NULL for the defaults
+ *  \param stream where from
+ *  \param[out] domain the container, see packing_domain_create_polygon()
+ *  \return PACKING_OK; PACKING_ERR_FORMAT (malformed; message and log name the line);
+ *          PACKING_ERR_GEOMETRY (no polygon: rings cross, ...); PACKING_ERR_INVALID;
+ *          PACKING_ERR_RANGE; what the stream returns; PACKING_ERR_NOMEM; PACKING_ERR_ABI */
+PACKING_API PACKING_WARN_UNUSED packing_status
+packing_read_polygon(packing_context *context, const packing_read_polygon_def *def,
+                     const packing_stream *stream, packing_domain **domain);
+
 /** Options of packing_read_sample(). */
 typedef struct packing_read_sample_def {
   size_t struct_size; /**< set by packing_read_sample_def_init() */

@@ -5,9 +5,6 @@
 #include "domain_kinds.h"
 #include <math.h>
 
-/* Distances asked for at most: some seconds for the volume, some hundredths for one ball. */
-enum { CALLS_FOR_VOLUME = 1 << 24, CALLS_FOR_BALL = 1 << 21 };
-
 static double signed_distance(const packing_i_domain_body *body,
                               const packing_vec3 *point, packing_vec3 *normal)
 {
@@ -29,18 +26,17 @@ static int near_walls(const packing_i_domain_body *body, const packing_vec3 *poi
   return 1;
 }
 
-/* The volume to the tolerance of the definition. */
-static packing_status compute_volume(packing_context *context,
-                                     packing_i_domain_body *body)
+packing_status packing_i_custom_volume(packing_context *context,
+                                       packing_i_domain_body *body, double tolerance)
 {
-  const packing_i_tolerance tolerance = {0, body->as.custom.volume_tolerance};
+  const packing_i_tolerance enough = {0, tolerance};
   const packing_vec3 nowhere = {0, 0, 0};
   double volume, error;
-  if (packing_i_subdivide(body, &nowhere, 0, tolerance, CALLS_FOR_VOLUME, &volume,
-                          &error))
+  if (packing_i_subdivide_sides(body, &nowhere, 0, enough, PACKING_I_CALLS_FOR_VOLUME,
+                                &volume, &error))
     return packing_i_fail(context, PACKING_ERR_GEOMETRY, "signed_distance",
                           PACKING_NO_INDEX, "a distance is no number");
-  if (error > tolerance.relative * volume)
+  if (error > tolerance * volume)
     return packing_i_fail(context, PACKING_ERR_RANGE, "volume_tolerance",
                           PACKING_NO_INDEX,
                           "the computed volume of %g may be wrong by %g, more than is "
@@ -50,10 +46,10 @@ static packing_status compute_volume(packing_context *context,
   return PACKING_OK;
 }
 
-static packing_status inset(packing_context *context, packing_i_domain_body *body,
-                            double d)
+packing_status packing_i_custom_inset(packing_context *context,
+                                      packing_i_domain_body *body, double d,
+                                      double tolerance)
 {
-  body->as.custom.inset += d;
   body->volume = 0;
   for (int k = 0; k < body->dim; k++) {
     const double lo = packing_i_component(body->bounds.lo, k) + d;
@@ -63,7 +59,14 @@ static packing_status inset(packing_context *context, packing_i_domain_body *bod
     packing_i_set_component(&body->bounds.lo, k, lo);
     packing_i_set_component(&body->bounds.hi, k, hi);
   }
-  return compute_volume(context, body);
+  return packing_i_custom_volume(context, body, tolerance);
+}
+
+static packing_status inset(packing_context *context, packing_i_domain_body *body,
+                            double d)
+{
+  body->as.custom.inset += d;
+  return packing_i_custom_inset(context, body, d, body->as.custom.volume_tolerance);
 }
 
 static int sphere_volume(const packing_i_domain_body *body, const packing_vec3 *centre,
@@ -71,7 +74,8 @@ static int sphere_volume(const packing_i_domain_body *body, const packing_vec3 *
 {
   const double ball = packing_i_ball_volume(body->dim, r);
   const packing_i_tolerance enough = {fmax(tolerance, 1e-4) * ball, 0};
-  return packing_i_subdivide(body, centre, r, enough, CALLS_FOR_BALL, volume, error);
+  return packing_i_subdivide(body, centre, r, enough, PACKING_I_CALLS_FOR_BALL, volume,
+                             error);
 }
 
 static void inherit(packing_i_domain_body *body, packing_domain *from)
@@ -89,7 +93,7 @@ static void release(const packing_i_domain_body *body)
     c->release(c->user);
 }
 
-static const packing_i_domain_ops custom_ops = {
+const packing_i_domain_ops packing_i_custom_ops = {
     .name = "custom",
     .reference = "the user's distance; volumes by subdivision",
     .signed_distance = signed_distance,
@@ -168,7 +172,7 @@ packing_status packing_domain_create_custom(packing_context *context,
     return packing_i_fail(context, PACKING_ERR_INVALID, "signed_distance",
                           PACKING_NO_INDEX, "NULL");
   PACKING_I_TRY(check(context, &d));
-  packing_i_domain_body body = packing_i_domain_body_new(&custom_ops, d.dim);
+  packing_i_domain_body body = packing_i_domain_body_new(&packing_i_custom_ops, d.dim);
   body.bounds = d.bounds;
   body.volume = d.volume;
   body.as.custom = (packing_i_custom){.signed_distance = d.signed_distance,
@@ -177,7 +181,7 @@ packing_status packing_domain_create_custom(packing_context *context,
                                       .volume_tolerance = d.volume_tolerance};
   PACKING_I_TRY(probe(context, &body));
   if (d.volume == 0)
-    PACKING_I_TRY(compute_volume(context, &body));
+    PACKING_I_TRY(packing_i_custom_volume(context, &body, d.volume_tolerance));
   if (body.volume == 0)
     return packing_i_fail(context, PACKING_ERR_GEOMETRY, "bounds", PACKING_NO_INDEX,
                           "no point in them is inside the container");

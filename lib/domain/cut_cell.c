@@ -3,8 +3,8 @@
  *
  * Boxes in boxes, two balls, a ball and a cylinder have closed forms (cut_planes.c, lens.c,
  * ball_cylinder.c): some tenths of a microsecond. Where curved walls of both cut, or a round cell
- * a box, the volume comes from slices (cut_slices.c). A custom container takes the cell's wall
- * for one more wall of its own (subdivide.c). */
+ * a box, the volume comes from slices (cut_slices.c). A custom container or a mesh takes the
+ * cell's wall for one more wall of its own (subdivide.c). */
 #include "cut_internal.h"
 #include <float.h>
 
@@ -64,7 +64,7 @@ static int side_of_cell(const packing_i_cut_job *j)
   return d >= j->cell->radius + j->r ? -1 : d <= j->cell->radius - j->r;
 }
 
-/* A custom container with the cell's wall. */
+/* A custom container or a mesh with the cell's wall. */
 typedef struct both {
   const packing_i_domain_body *body;
   const packing_i_cell *cell;
@@ -75,7 +75,9 @@ static double distance_to_both(void *user, const packing_vec3 *point,
 {
   const both *b = user;
   packing_vec3 away;
-  const double d = b->body->ops->signed_distance(b->body, point, normal);
+  const packing_i_domain_ops *ops = b->body->ops;
+  const double d =
+      (ops->side != NULL ? ops->side : ops->signed_distance)(b->body, point, normal);
   const double rho = from_middle(b->cell, b->body->dim, point, &away);
   if (b->cell->kind == PACKING_I_CELL_BOX || !(b->cell->radius - rho < d))
     return d;
@@ -87,7 +89,7 @@ static double distance_to_both(void *user, const packing_vec3 *point,
 static int subdivided(const packing_i_cut_job *j, double *volume, double *error)
 {
   both b = {j->body, j->cell};
-  packing_i_domain_body body = packing_i_domain_body_new(j->body->ops, j->dim);
+  packing_i_domain_body body = packing_i_domain_body_new(&packing_i_custom_ops, j->dim);
   double box = 1;
   body.as.custom.signed_distance = distance_to_both;
   body.as.custom.user = &b;
@@ -192,12 +194,31 @@ static int part(packing_i_cut_job *j, double *volume, double *error)
   return 0;
 }
 
+/* The question, for the parts of a combination. */
+typedef struct question {
+  const packing_i_cell *cell;
+  const packing_vec3 *centre;
+  double r, tolerance;
+} question;
+
+static int ask(const packing_domain *domain, const void *arg, double *volume,
+               double *error)
+{
+  const question *q = arg;
+  return packing_i_domain_cell_volume(domain, q->cell, q->centre, q->r, q->tolerance,
+                                      volume, error);
+}
+
 int packing_i_domain_cell_volume(const packing_domain *domain, const packing_i_cell *cell,
                                  const packing_vec3 *centre, double r, double tolerance,
                                  double *volume, double *error)
 {
   const packing_i_domain_body *body = &domain->body;
   packing_i_cut_job j = {body, cell, cell->box, *centre, r, tolerance, body->dim};
+  if (packing_i_has_parts(body)) {
+    const question q = {cell, centre, r, tolerance};
+    return packing_i_by_parts(domain, ask, &q, volume, error);
+  }
   if (r > 0) {
     const double distance = body->ops->signed_distance(body, centre, NULL);
     *volume = *error = 0;

@@ -23,7 +23,8 @@ void packing_domain_destroy(packing_domain *domain)
 
 packing_i_domain_body packing_i_domain_body_new(const packing_i_domain_ops *ops, int dim)
 {
-  packing_i_domain_body body = {.ops = ops, .dim = dim, .open_axis = -1};
+  packing_i_domain_body body = {
+      .ops = ops, .dim = dim, .walls = PACKING_I_NEAR_WALLS, .open_axis = -1};
   body.period = packing_i_vec(HUGE_VAL, HUGE_VAL, HUGE_VAL);
   return body;
 }
@@ -161,6 +162,25 @@ packing_vec3 packing_domain_separation(const packing_domain *domain,
                                        const packing_vec3 *a, const packing_vec3 *b)
 {
   return packing_i_domain_separation(domain, *a, *b);
+}
+
+void packing_i_keep_nearest(packing_i_near_wall near[PACKING_I_NEAR_WALLS], int *count,
+                            packing_i_near_wall wall)
+{
+  if (*count == PACKING_I_NEAR_WALLS) {
+    const packing_i_near_wall *last = &near[*count - 1];
+    if (wall.distance > last->distance ||
+        (wall.distance == last->distance && wall.wall > last->wall))
+      return;
+    --*count;
+  }
+  int at = (*count)++;
+  for (; at > 0 &&
+         (near[at - 1].distance > wall.distance ||
+          (near[at - 1].distance == wall.distance && near[at - 1].wall > wall.wall));
+       at--)
+    near[at] = near[at - 1];
+  near[at] = wall;
 }
 
 int packing_i_domain_keeps_whole(const packing_domain *domain, const packing_vec3 *centre,

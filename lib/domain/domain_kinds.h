@@ -161,6 +161,39 @@ int packing_i_subdivide(const packing_i_domain_body *body, const packing_vec3 *c
                         double r, packing_i_tolerance tolerance, size_t calls,
                         double *volume, double *error);
 
+/* The same with the cheaper function of the body, where it has one. */
+int packing_i_subdivide_sides(const packing_i_domain_body *body,
+                              const packing_vec3 *centre, double r,
+                              packing_i_tolerance tolerance, size_t calls, double *volume,
+                              double *error);
+
+/* Custom containers and those that do as they do: the volume, by subdivision to a relative
+ * tolerance; and an inset whose distance has been taken off already. */
+packing_status packing_i_custom_volume(packing_context *context,
+                                       packing_i_domain_body *body, double tolerance);
+packing_status packing_i_custom_inset(packing_context *context,
+                                      packing_i_domain_body *body, double d,
+                                      double tolerance);
+extern const packing_i_domain_ops packing_i_custom_ops;
+
+/* Distances asked for at most: some seconds for a volume, some hundredths for one ball. */
+enum { PACKING_I_CALLS_FOR_VOLUME = 1 << 24, PACKING_I_CALLS_FOR_BALL = 1 << 21 };
+
+/* Puts a wall into a list that keeps the nearest ones, nearest first. */
+void packing_i_keep_nearest(packing_i_near_wall near[PACKING_I_NEAR_WALLS], int *count,
+                            packing_i_near_wall wall);
+
+/* Unions and differences: what is additive, from what it is in both containers and in what they
+ * share. -1 as soon as a measure fails. */
+typedef int (*packing_i_measure)(const packing_domain *domain, const void *arg,
+                                 double *value, double *error);
+int packing_i_has_parts(const packing_i_domain_body *body);
+int packing_i_by_parts(const packing_domain *domain, packing_i_measure measure,
+                       const void *arg, double *value, double *error);
+
+/* NULL where the body is none of these. */
+const packing_i_polygon *packing_i_domain_polygon(const packing_i_domain_body *body);
+
 /* Sets component `axis`. */
 static inline void packing_i_set_component(packing_vec3 *v, int axis, double value)
 {

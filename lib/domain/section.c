@@ -174,7 +174,7 @@ static double sum_of_chords(const chords *c, const double lo[2], const double hi
   return sum;
 }
 
-/* A custom container seen in the plane. */
+/* A custom container or a mesh seen in the plane. */
 typedef struct flat {
   const packing_i_domain_body *body;
   const packing_i_plane *plane;
@@ -186,7 +186,9 @@ static double distance_in_plane(void *user, const packing_vec3 *point,
   const flat *f = user;
   packing_vec3 n = {0, 0, 0};
   const packing_vec3 p = at(f->plane, point->x, point->y);
-  const double d = f->body->ops->signed_distance(f->body, &p, normal == NULL ? NULL : &n);
+  const packing_i_domain_ops *ops = f->body->ops;
+  const double d = (ops->side != NULL ? ops->side : ops->signed_distance)(
+      f->body, &p, normal == NULL ? NULL : &n);
   if (normal != NULL)
     *normal = packing_i_vec(packing_i_dot(n, f->plane->u_axis),
                             packing_i_dot(n, f->plane->v_axis), 0);
@@ -197,7 +199,7 @@ static int subdivided(const chords *c, const double lo[2], const double hi[2],
                       double tolerance, double *area, double *error)
 {
   flat f = {c->body, c->plane};
-  packing_i_domain_body body = packing_i_domain_body_new(c->body->ops, 2);
+  packing_i_domain_body body = packing_i_domain_body_new(&packing_i_custom_ops, 2);
   const packing_vec3 centre = {c->u, c->v, 0};
   const double size =
       c->r > 0 ? packing_i_ball_volume(2, c->r) : (hi[0] - lo[0]) * (hi[1] - lo[1]);
@@ -234,12 +236,29 @@ static int closed_form(const chords *c, const double lo[2], const double hi[2],
   return 1;
 }
 
+/* The question, for the parts of a combination. */
+typedef struct question {
+  const packing_i_plane *plane;
+  double u, v, r, tolerance;
+} question;
+
+static int ask(const packing_domain *domain, const void *arg, double *area, double *error)
+{
+  const question *q = arg;
+  return packing_i_domain_section_area(domain, q->plane, q->u, q->v, q->r, q->tolerance,
+                                       area, error);
+}
+
 int packing_i_domain_section_area(const packing_domain *domain,
                                   const packing_i_plane *plane, double u, double v,
                                   double r, double tolerance, double *area, double *error)
 {
   double lo[2], hi[2];
   *area = *error = 0;
+  if (packing_i_has_parts(&domain->body)) {
+    const question q = {plane, u, v, r, tolerance};
+    return packing_i_by_parts(domain, ask, &q, area, error);
+  }
   if (!packing_i_domain_section_window(domain, plane, lo, hi))
     return 0;
   if (r > 0 && (u + r <= lo[0] || u - r >= hi[0] || v + r <= lo[1] || v - r >= hi[1]))

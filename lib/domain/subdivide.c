@@ -15,6 +15,8 @@ enum { FIRST_LEVEL = 3, LAST_LEVEL = 20 };
 
 typedef struct job {
   const packing_i_domain_body *body;
+  double (*distance)(const packing_i_domain_body *body, const packing_vec3 *point,
+                     packing_vec3 *normal);
   packing_vec3 centre;
   double r; /* 0: no ball */
   double volume;
@@ -102,8 +104,7 @@ static void visit(job *j, const cell *c, int levels)
   if (beyond_ball(j, c))
     return;
   const double reach = sqrt(square(c->half[0]) + square(c->half[1]) + square(c->half[2]));
-  const double distance =
-      j->body->ops->signed_distance(j->body, &middle, levels == 0 ? &normal : NULL);
+  const double distance = j->distance(j->body, &middle, levels == 0 ? &normal : NULL);
   j->calls++;
   if (distance <= -reach)
     return;
@@ -145,11 +146,9 @@ static int root(const job *j, cell *c)
   return 1;
 }
 
-int packing_i_subdivide(const packing_i_domain_body *body, const packing_vec3 *centre,
-                        double r, packing_i_tolerance tolerance, size_t calls,
-                        double *volume, double *error)
+static int subdivide(job j, packing_i_tolerance tolerance, size_t calls, double *volume,
+                     double *error)
 {
-  job j = {.body = body, .centre = *centre, .r = r};
   cell whole;
   double before = 0, step_before = HUGE_VAL;
   *volume = *error = 0;
@@ -171,4 +170,23 @@ int packing_i_subdivide(const packing_i_domain_body *body, const packing_vec3 *c
       return 0;
   }
   return 0;
+}
+
+int packing_i_subdivide(const packing_i_domain_body *body, const packing_vec3 *centre,
+                        double r, packing_i_tolerance tolerance, size_t calls,
+                        double *volume, double *error)
+{
+  const job j = {body, body->ops->signed_distance, *centre, r, 0, 0, 0};
+  return subdivide(j, tolerance, calls, volume, error);
+}
+
+int packing_i_subdivide_sides(const packing_i_domain_body *body,
+                              const packing_vec3 *centre, double r,
+                              packing_i_tolerance tolerance, size_t calls, double *volume,
+                              double *error)
+{
+  const packing_i_domain_ops *ops = body->ops;
+  const job j = {
+      body, ops->side != NULL ? ops->side : ops->signed_distance, *centre, r, 0, 0, 0};
+  return subdivide(j, tolerance, calls, volume, error);
 }

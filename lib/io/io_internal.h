@@ -26,6 +26,7 @@ extern const packing_i_format packing_i_format_yade;
 extern const packing_i_format packing_i_format_xyz;
 extern const packing_i_format packing_i_format_curve;
 extern const packing_i_format packing_i_format_sample;
+extern const packing_i_format packing_i_format_polygon;
 
 /* All of them, NULL at the end. */
 extern const packing_i_format *const packing_i_formats[];
@@ -146,6 +147,12 @@ void packing_i_lines_end(packing_i_lines *lines);
  * the first line is skipped. */
 packing_status packing_i_lines_next(packing_i_lines *lines, const char **at,
                                     const char **end);
+/* Shows up to `count` unread bytes (at most 64 KiB less one), or more; fewer only at the end. */
+packing_status packing_i_lines_peek(packing_i_lines *lines, size_t count, const char **at,
+                                    size_t *seen);
+/* Takes `count` bytes where no text is; fewer only at the end. */
+packing_status packing_i_lines_bytes(packing_i_lines *lines, void *out, size_t count,
+                                     size_t *taken);
 /* Notes "line N: ..." as PACKING_ERR_FORMAT, or another status. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
@@ -184,7 +191,7 @@ typedef struct packing_i_table_spec {
   packing_i_table_kind kind;
 } packing_i_table_spec;
 
-enum { PACKING_I_TABLE_COLUMNS = 32 };
+enum { PACKING_I_TABLE_COLUMNS = 32, PACKING_I_TABLE_BLANK = 2 };
 
 typedef struct packing_i_table {
   packing_i_lines lines;
@@ -193,6 +200,7 @@ typedef struct packing_i_table {
   unsigned columns;                  /* that stand in this one */
   uint8_t spec_of[PACKING_I_TABLE_COLUMNS];
   uint32_t present; /* bit s: column of spec s */
+  int takes_blanks; /* a blank line is a row of its own: *got is PACKING_I_TABLE_BLANK */
 } packing_i_table;
 
 packing_status packing_i_table_begin(packing_i_table *table, packing_context *context,

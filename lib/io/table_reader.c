@@ -127,6 +127,10 @@ packing_status packing_i_table_row(packing_i_table *t, packing_i_table_cell *cel
   if (!*got)
     return PACKING_OK;
   const char *p = skip_blanks(first);
+  if (p == end && t->takes_blanks) {
+    *got = PACKING_I_TABLE_BLANK;
+    return PACKING_OK;
+  }
   if (p == end)
     return packing_i_lines_fail(&t->lines, PACKING_ERR_FORMAT, "a blank line");
   for (unsigned c = 0;; c++) {

@@ -13,6 +13,8 @@ typedef struct packing_i_front {
   packing_i_source *source; /* owned */
   size_t count;             /* particles asked; 0: no limit */
   double solid_volume;      /* asked; 0: no limit */
+  packing_vec3 innermost;   /* the point farthest from the walls */
+  double room;              /* its distance from them; +infinity: there are none */
   /* packing_front_members(). */
   packing_status (*members)(const packing_placer *placer, size_t capacity, size_t *index,
                             size_t *count);
