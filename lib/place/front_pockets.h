@@ -164,7 +164,9 @@ typedef struct packing_i_pockets {
   packing_i_front_lane *lane;
   size_t lanes;
   size_t halo_room;
-  int reseeds;
+  size_t youngest; /* particles there were when the last of them was tried */
+  size_t oldest;   /* the next to be tried in their order */
+  int reseeds;     /* tried in vain, in a row */
 } packing_i_pockets;
 
 static inline packing_i_pocket *packing_i_pocket_at(const packing_i_pockets *p,
@@ -261,6 +263,9 @@ packing_status packing_i_front_prepare_images(packing_i_pockets *p, uint32_t til
 packing_status packing_i_front_enter_store(packing_i_pockets *p);
 /* Places the first particles, until there are pockets or nothing more can be placed. */
 packing_status packing_i_front_seed(packing_i_pockets *p);
+/* No pocket is left: places a particle beside one that stands, where there is room. *go_on: there
+ * may be more to do. */
+packing_status packing_i_front_reseed(packing_i_pockets *p, int *go_on);
 
 /* ---- front_round.c ---- */
 

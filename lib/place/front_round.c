@@ -289,7 +289,7 @@ static packing_status take_over(packing_i_pockets *p)
 {
   p->owed = 1;
   int halo = 0, finished = 1;
-  for (size_t l = 0; l < p->active; l++) {
+  for (size_t l = 0; l < p->lanes; l++) { /* those at rest owe nothing */
     packing_i_front_lane *lane = p->lane + l;
     PACKING_I_TRY(packing_i_front_collect(p, lane, 0));
     halo |= lane->starved == 2;
@@ -386,8 +386,12 @@ packing_status packing_i_front_round(packing_i_pockets *p, int *done)
     call_back(p);
   if (p->active == 0)
     PACKING_I_TRY(next_colour(p, lanes, done));
-  if (*done)
+  if (*done) {
+    int go_on;
+    PACKING_I_TRY(packing_i_front_reseed(p, &go_on));
+    *done = !go_on;
     return PACKING_OK;
+  }
   PACKING_I_TRY(feed(p));
   packing_i_parallel(p->placer->context, p->active, work, p);
   return take_over(p);
