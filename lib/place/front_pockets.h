@@ -164,6 +164,7 @@ typedef struct packing_i_pockets {
   packing_i_front_lane *lane;
   size_t lanes;
   size_t halo_room;
+  uint32_t ready;  /* a tile that is prepared; 0: none is known to be */
   size_t youngest; /* particles there were when the last of them was tried */
   size_t oldest;   /* the next to be tried in their order */
   int reseeds;     /* tried in vain, in a row */

@@ -342,6 +342,7 @@ static int next_level(packing_i_pockets *p)
   for (size_t t = 1; t < grid->tiles; t++)
     if (is_left(grid, grid->tile + t))
       packing_i_front_tile_empty(grid, (uint32_t)t);
+  p->ready = 0;
   p->idle_colours = 0;
   if (least < HUGE_VAL) {
     p->level = least > p->level ? least + p->level_step : p->level + p->level_step;

@@ -25,7 +25,11 @@ static packing_status tile_for(packing_i_pockets *p, const packing_vec3 *c,
   *tile = packing_i_front_tile_at(&p->grid, at);
   if (*tile == 0)
     return packing_i_nomem(p->placer->context);
-  return packing_i_front_prepare(p, *tile);
+  if (*tile == p->ready)
+    return PACKING_OK;
+  PACKING_I_TRY(packing_i_front_prepare(p, *tile));
+  p->ready = *tile;
+  return PACKING_OK;
 }
 
 /* Puts one sphere; `stored` as packing_i_front_collect() takes it. */
@@ -68,12 +72,14 @@ static int is_free(packing_i_pockets *p, const packing_vec3 *c, double r, int *f
 {
   packing_i_front_lane *lane = p->lane;
   uint32_t tile;
+  *free = r <= p->most_r && packing_i_front_holds(p, c, r);
+  if (!*free)
+    return PACKING_OK;
   PACKING_I_TRY(tile_for(p, c, &tile));
   packing_i_front_image image[PACKING_I_FRONT_IMAGES];
   packing_i_front_images(p, tile, c, image);
   lane->halo.count = 0;
-  *free = r <= p->most_r && packing_i_front_holds(p, c, r) &&
-          packing_i_front_grid_gather(&p->grid, p->kernels, image[0].tile,
+  *free = packing_i_front_grid_gather(&p->grid, p->kernels, image[0].tile,
                                       &image[0].centre, r, p->body_r, &lane->halo);
   for (size_t t = 0; *free && t < lane->halo.count; t++) {
     const packing_vec3 d =
@@ -279,25 +285,40 @@ static int place_of(const packing_i_pockets *p, size_t touched, int n, double r,
   return slide(p, &from, away, r, c);
 }
 
-/* One particle, the largest, the middle or the smallest of the stock, from direction `from` on. */
+/* Radius k of three, the smallest, a middle one and the largest, of the stock of a zone, and its place
+ * from a direction; *zone is that of the place, which may be another and have other sizes. 0: none. */
+static int candidate(packing_i_pockets *p, size_t touched, int n, int k, size_t *zone,
+                     double *r, packing_vec3 *c)
+{
+  for (int turn = 0; turn < 2; turn++) {
+    const packing_i_stock *stock = packing_i_source_stock(p->front.source, *zone);
+    if (stock->count == 0)
+      return 0;
+    *r = stock->r[(stock->count - 1) * (size_t)k / 2];
+    if (!place_of(p, touched, n, *r, c))
+      return 0;
+    const size_t there = packing_i_source_zone(p->front.source, c);
+    if (there == *zone)
+      return packing_i_front_wants(&p->front, &p->placer->tally,
+                                   packing_i_ball_volume(p->dim, *r));
+    *zone = there;
+  }
+  return 0;
+}
+
+/* One particle, as large as may be, from direction `from` on. */
 static packing_status place_one(packing_i_pockets *p, size_t touched, int from,
                                 int *placed)
 {
+  const size_t zone_here = packing_i_source_zone(p->front.source, &p->front.innermost);
   *placed = 0;
   for (int n = 0; n < DIRECTIONS; n++)
-    for (int k = 2; k >= 0; k--) {
-      packing_vec3 c = p->front.innermost;
-      size_t zone = packing_i_source_zone(p->front.source, &c);
-      const packing_i_stock *stock = packing_i_source_stock(p->front.source, zone);
-      if (stock->count == 0)
-        return PACKING_OK;
-      const double r = stock->r[(stock->count - 1) * (size_t)k / 2];
+    for (int k = 2; k >= (p->equal ? 2 : 0); k--) {
+      packing_vec3 c;
+      size_t zone = zone_here;
+      double r;
       int free;
-      if ((k < 2 && p->equal) || !packing_i_front_wants(&p->front, &p->placer->tally,
-                                                        packing_i_ball_volume(p->dim, r)))
-        continue;
-      if (!place_of(p, touched, (n + from) % DIRECTIONS, r, &c) ||
-          packing_i_source_zone(p->front.source, &c) != zone)
+      if (!candidate(p, touched, (n + from) % DIRECTIONS, k, &zone, &r, &c))
         continue;
       PACKING_I_TRY(is_free(p, &c, r, &free));
       if (!free)
