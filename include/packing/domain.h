@@ -378,8 +378,8 @@ static inline void packing_domain_mesh_def_init(packing_domain_mesh_def *def)
 }
 
 /** Makes the inside of a closed surface. Its distance is exact, that of points far outside too; a
- *  query takes O(log N) time. Its volume is exact, the volume of an inset comes by subdivision to
- *  1e-4.
+ *  query takes O(log N) time. Its volume is exact; that of an inset comes by subdivision, to 1e-4
+ *  where some 5e5 distances are enough for that, to 1e-2 at the worst.
  *  \param context NULL is fine; its threads share the check
  *  \param def options; the mesh has no default
  *  \param[out] domain the container
@@ -399,7 +399,7 @@ packing_domain_create_mesh(packing_context *context, const packing_domain_mesh_d
  *  \param[out] inset the smaller container
  *  \return PACKING_OK; PACKING_ERR_GEOMETRY (nothing with a volume is left);
  *          PACKING_ERR_INVALID; PACKING_ERR_RANGE (a negative distance; custom: the volume left
- *          misses volume_tolerance); PACKING_ERR_NOMEM */
+ *          misses volume_tolerance; mesh: too little is left to tell its volume); PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_domain_create_inset(packing_context *context, packing_domain *domain,
                             double distance, packing_domain **inset);

@@ -8,7 +8,10 @@
 #include "domain_kinds.h"
 #include "mesh/surface_internal.h"
 
-static const double VOLUME_TOLERANCE = 1e-4; /* of an inset */
+/* Of an inset: distances asked for at most (some tenths of a second), what is tried for, what will do. */
+enum { CALLS_FOR_VOLUME = 1 << 20, CALLS_FOR_BALL = 1 << 14 };
+static const double VOLUME_TOLERANCE = 1e-4, MOST_TOLERANCE = 1e-2;
+static const double INSET_TOLERANCE = 1e-3; /* of balls in an inset */
 
 static double signed_distance(const packing_i_domain_body *body,
                               const packing_vec3 *point, packing_vec3 *normal)
@@ -74,23 +77,89 @@ static int near_walls(const packing_i_domain_body *body, const packing_vec3 *poi
   return count;
 }
 
+/* The bounds of what is left; 0: nothing is. */
+static int shrink(packing_bounds *bounds, double d)
+{
+  for (int k = 0; k < 3; k++) {
+    const double lo = packing_i_component(bounds->lo, k) + d;
+    const double hi = packing_i_component(bounds->hi, k) - d;
+    if (!(lo < hi))
+      return 0;
+    packing_i_set_component(&bounds->lo, k, lo);
+    packing_i_set_component(&bounds->hi, k, hi);
+  }
+  return 1;
+}
+
 static packing_status inset(packing_context *context, packing_i_domain_body *body,
                             double d)
 {
+  const packing_vec3 nowhere = {0, 0, 0};
+  const packing_i_tolerance enough = {0, VOLUME_TOLERANCE};
+  double error;
   body->as.mesh.inset += d;
-  return packing_i_custom_inset(context, body, d, VOLUME_TOLERANCE);
+  body->volume = 0;
+  if (!shrink(&body->bounds, d) ||
+      packing_i_subdivide_sides(body, &nowhere, 0, enough, CALLS_FOR_VOLUME,
+                                &body->volume, &error) != 0)
+    return PACKING_OK;
+  if (error > MOST_TOLERANCE * body->volume)
+    return packing_i_fail(
+        context, PACKING_ERR_RANGE, "distance", PACKING_NO_INDEX,
+        "what is left of the mesh at %g from its walls is too little to "
+        "tell its volume, some %g",
+        d, body->volume);
+  return PACKING_OK;
+}
+
+/* How far the distance around a ball's centre is from that of a plane wall, at most. */
+static double bend(const packing_i_domain_body *body, const packing_vec3 *centre,
+                   double r, double distance, packing_vec3 normal)
+{
+  const packing_vec3 aside =
+      fabs(normal.x) < 0.5 ? packing_i_vec(1, 0, 0) : packing_i_vec(0, 1, 0);
+  packing_vec3 u = packing_i_cross(normal, aside);
+  u = packing_i_scale(u, 1 / packing_i_norm(u));
+  const packing_vec3 v = packing_i_cross(normal, u);
+  double most = 0;
+  for (int i = 0; i < 27; i++) {
+    const packing_vec3 way = packing_i_vec(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const double by = 0.9 * r / fmax(packing_i_norm(way), 1);
+    const packing_vec3 p = packing_i_add(
+        packing_i_add(*centre, packing_i_scale(normal, by * way.x)),
+        packing_i_add(packing_i_scale(u, by * way.y), packing_i_scale(v, by * way.z)));
+    most = fmax(most, fabs(signed_distance(body, &p, NULL) - (distance + by * way.x)));
+  }
+  return most;
+}
+
+/* A ball in an inset: the wall of which is a plane for most of them; else by subdivision. */
+static int volume_in_inset(const packing_i_domain_body *body, const packing_vec3 *centre,
+                           double r, double tolerance, double *volume, double *error)
+{
+  const double ball = packing_i_ball_volume(3, r);
+  const double enough = fmax(tolerance, INSET_TOLERANCE) * ball;
+  packing_vec3 normal;
+  const double d = signed_distance(body, centre, &normal);
+  if (d <= -r || d >= r) {
+    *volume = d > 0 ? ball : 0;
+    *error = 0;
+    return 0;
+  }
+  *error = PACKING_I_PI * r * r * bend(body, centre, r, d, normal);
+  *volume = packing_i_cap(3, r, r + d);
+  if (*error <= enough)
+    return 0;
+  return packing_i_subdivide_sides(body, centre, r, (packing_i_tolerance){enough, 0},
+                                   CALLS_FOR_BALL, volume, error);
 }
 
 static int sphere_volume(const packing_i_domain_body *body, const packing_vec3 *centre,
                          double r, double tolerance, double *volume, double *error)
 {
-  const packing_i_meshed *m = &body->as.mesh;
-  const double ball = packing_i_ball_volume(3, r);
-  const packing_i_tolerance enough = {fmax(tolerance, 1e-4) * ball, 0};
-  if (m->inset > 0)
-    return packing_i_subdivide_sides(body, centre, r, enough, PACKING_I_CALLS_FOR_BALL,
-                                     volume, error);
-  *volume = packing_i_surface_ball(m->surface, centre, r, error);
+  if (body->as.mesh.inset > 0)
+    return volume_in_inset(body, centre, r, tolerance, volume, error);
+  *volume = packing_i_surface_ball(body->as.mesh.surface, centre, r, error);
   return 0;
 }
 

@@ -3,22 +3,25 @@
  * cells of the 27 tiles around its own. */
 #include "front_grid.h"
 
-enum { FIRST_SLOTS = 64, EDGE = PACKING_I_TILE_EDGE };
+enum { FIRST_SLOTS = 64 };
 
 void packing_i_front_grid_init(packing_i_front_grid *grid,
                                const packing_allocator *allocator, packing_vec3 origin,
-                               packing_vec3 edge)
+                               packing_vec3 edge, const int n[3])
 {
   memset(grid, 0, sizeof *grid);
   grid->allocator = allocator;
   grid->origin = origin;
   grid->edge = edge;
-  grid->per_edge = packing_i_vec(EDGE / edge.x, EDGE / edge.y, EDGE / edge.z);
+  memcpy(grid->n, n, sizeof grid->n);
+  grid->per_edge = packing_i_vec(n[0] / edge.x, n[1] / edge.y, n[2] / edge.z);
   grid->tiles = grid->lists = 1;
 }
 
 void packing_i_front_grid_release(packing_i_front_grid *grid)
 {
+  for (size_t t = 1; t < grid->tiles; t++)
+    packing_i_free(grid->allocator, grid->tile[t].cell);
   packing_i_free(grid->allocator, grid->tile);
   packing_i_free(grid->allocator, grid->slot);
   for (size_t c = 0; c < grid->chunks; c++)
@@ -108,7 +111,6 @@ static uint32_t make_tile(packing_i_front_grid *grid, const int64_t at[3])
                            grid->origin.z + (double)at[2] * grid->edge.z);
   tile->around[PACKING_I_TILE_ITSELF] = t;
   tile->next_key = HUGE_VAL;
-  tile->resident = 1; /* there is nothing to fill in */
   *slot_of(grid, at) = t;
   return t;
 }
@@ -192,31 +194,33 @@ static void clear_bin(packing_i_front_bin *bin)
     bin->x[k] = HUGE_VAL;
 }
 
-/* Cells counted from the lowest corner of a tile; those of its neighbours are negative or beyond
- * its edge, down to -EDGE and below 2 EDGE. */
-static int cell_along(double p, double lo, double per_edge)
+/* Cells counted from the lowest corner of a tile with n cells along an edge; those of its
+ * neighbours are negative or beyond its edge, down to -n and below 2 n. */
+static int cell_along(double p, double lo, double per_edge, int n)
 {
   const double c = floor((p - lo) * per_edge);
-  return c < -EDGE ? -EDGE : c >= 2 * EDGE ? 2 * EDGE - 1 : (int)c;
+  return c < -n ? -n : c >= 2 * n ? 2 * n - 1 : (int)c;
 }
 
-static inline int part(int c)
+static inline int part(int c, int n)
 {
-  return c < 0 ? 0 : c < EDGE ? 1 : 2;
+  return c < 0 ? 0 : c < n ? 1 : 2;
 }
 
 static uint32_t tile_at(const packing_i_front_grid *grid, uint32_t tile, int x, int y,
                         int z)
 {
-  return grid->tile[tile].around[(part(z) * 3 + part(y)) * 3 + part(x)];
+  const int *n = grid->n;
+  return grid->tile[tile].around[(part(z, n[2]) * 3 + part(y, n[1])) * 3 + part(x, n[0])];
 }
 
 static uint32_t *cell_at(const packing_i_front_grid *grid, uint32_t tile, int x, int y,
                          int z)
 {
-  const int cx = x - (part(x) - 1) * EDGE, cy = y - (part(y) - 1) * EDGE,
-            cz = z - (part(z) - 1) * EDGE;
-  return grid->tile[tile_at(grid, tile, x, y, z)].cell + ((cz * EDGE + cy) * EDGE + cx);
+  const int *n = grid->n;
+  const int cx = x - (part(x, n[0]) - 1) * n[0], cy = y - (part(y, n[1]) - 1) * n[1],
+            cz = z - (part(z, n[2]) - 1) * n[2];
+  return grid->tile[tile_at(grid, tile, x, y, z)].cell + ((cz * n[1] + cy) * n[0] + cx);
 }
 
 static uint32_t add_to_cell(packing_i_front_grid *grid, uint32_t *cell,
@@ -243,47 +247,53 @@ uint32_t packing_i_front_grid_insert(packing_i_front_grid *grid, uint32_t *tile,
                                      const packing_vec3 *p, double r, uint32_t *free_bin)
 {
   const packing_vec3 lo = grid->tile[*tile].lo;
-  const int x = cell_along(p->x, lo.x, grid->per_edge.x),
-            y = cell_along(p->y, lo.y, grid->per_edge.y),
-            z = cell_along(p->z, lo.z, grid->per_edge.z);
+  const int x = cell_along(p->x, lo.x, grid->per_edge.x, grid->n[0]),
+            y = cell_along(p->y, lo.y, grid->per_edge.y, grid->n[1]),
+            z = cell_along(p->z, lo.z, grid->per_edge.z, grid->n[2]);
   uint32_t *cell = cell_at(grid, *tile, x, y, z);
   *tile = tile_at(grid, *tile, x, y, z);
   return add_to_cell(grid, cell, p, r, free_bin);
 }
 
-static int cell_inside(double p, double lo, double per_edge)
+static int cell_inside(double p, double lo, double per_edge, int n)
 {
-  const int c = cell_along(p, lo, per_edge);
-  return c < 0 ? 0 : c < EDGE ? c : EDGE - 1;
+  const int c = cell_along(p, lo, per_edge, n);
+  return c < 0 ? 0 : c < n ? c : n - 1;
 }
 
 packing_status packing_i_front_tile_fill(packing_i_front_grid *grid, uint32_t tile,
                                          const packing_particles *store)
 {
+  const int *n = grid->n;
   const packing_vec3 lo = grid->tile[tile].lo, per = grid->per_edge;
+  uint32_t *cells =
+      packing_i_calloc(grid->allocator, (size_t)(n[0] * n[1] * n[2]), sizeof *cells);
+  if (cells == NULL)
+    return PACKING_ERR_NOMEM;
+  grid->tile[tile].cell = cells;
   for (uint32_t l = grid->tile[tile].list; l != 0; l = grid->list[l].next)
-    for (uint32_t n = 0; n < grid->list[l].count; n++) {
-      const uint32_t i = grid->list[l].index[n];
+    for (uint32_t m = 0; m < grid->list[l].count; m++) {
+      const uint32_t i = grid->list[l].index[m];
       const packing_vec3 p =
           packing_i_vec(store->x[i], store->y[i], store->dim == 2 ? 0 : store->z[i]);
       if (grid->free_bin == 0 && !packing_i_front_grid_reserve_bins(grid))
         return PACKING_ERR_NOMEM;
-      uint32_t *cell =
-          grid->tile[tile].cell +
-          ((cell_inside(p.z, lo.z, per.z) * EDGE + cell_inside(p.y, lo.y, per.y)) * EDGE +
-           cell_inside(p.x, lo.x, per.x));
-      const uint32_t place = add_to_cell(grid, cell, &p, store->r[i], &grid->free_bin);
+      const int x = cell_inside(p.x, lo.x, per.x, n[0]),
+                y = cell_inside(p.y, lo.y, per.y, n[1]),
+                z = cell_inside(p.z, lo.z, per.z, n[2]);
+      const uint32_t place = add_to_cell(grid, cells + ((z * n[1] + y) * n[0] + x), &p,
+                                         store->r[i], &grid->free_bin);
       packing_i_front_bin_at(grid, place / PACKING_I_FRONT_WIDTH)
           ->index[place % PACKING_I_FRONT_WIDTH] = i;
     }
-  grid->tile[tile].resident = 1;
   return PACKING_OK;
 }
 
 void packing_i_front_tile_empty(packing_i_front_grid *grid, uint32_t tile)
 {
   packing_i_front_tile *t = grid->tile + tile;
-  for (int c = 0; c < PACKING_I_TILE_CELLS; c++)
+  const int cells = grid->n[0] * grid->n[1] * grid->n[2];
+  for (int c = 0; t->cell != NULL && c < cells; c++)
     while (t->cell[c] != 0) {
       packing_i_front_bin *bin = packing_i_front_bin_at(grid, t->cell[c]);
       const uint32_t b = t->cell[c];
@@ -291,7 +301,8 @@ void packing_i_front_tile_empty(packing_i_front_grid *grid, uint32_t tile)
       bin->next = grid->free_bin;
       grid->free_bin = b;
     }
-  t->resident = 0;
+  packing_i_free(grid->allocator, t->cell);
+  t->cell = NULL;
 }
 
 /* Square of the distance of a coordinate from cell c. */
@@ -346,7 +357,8 @@ static int list_cell(look *l, uint32_t b)
 static int list_row(look *l, uint32_t tile, int y, int z, int x0, int x1)
 {
   for (int x = x0; x <= x1;) {
-    const int last = x1 < part(x) * EDGE - 1 ? x1 : part(x) * EDGE - 1;
+    const int n = l->grid->n[0];
+    const int last = x1 < part(x, n) * n - 1 ? x1 : part(x, n) * n - 1;
     const uint32_t *cell = cell_at(l->grid, tile, x, y, z);
     for (; x <= last; x++, cell++)
       if (*cell != 0 && !list_cell(l, *cell))
@@ -365,10 +377,10 @@ int packing_i_front_grid_gather(const packing_i_front_grid *grid,
   const double far2 = far * far;
   look l = {
       .grid = grid, .kernels = kernels, .centre = centre, .reach = reach, .halo = halo};
-  const int y0 = cell_along(centre->y - far, lo.y, per.y),
-            y1 = cell_along(centre->y + far, lo.y, per.y),
-            z0 = cell_along(centre->z - far, lo.z, per.z),
-            z1 = cell_along(centre->z + far, lo.z, per.z);
+  const int y0 = cell_along(centre->y - far, lo.y, per.y, grid->n[1]),
+            y1 = cell_along(centre->y + far, lo.y, per.y, grid->n[1]),
+            z0 = cell_along(centre->z - far, lo.z, per.z, grid->n[2]),
+            z1 = cell_along(centre->z + far, lo.z, per.z, grid->n[2]);
   for (int z = z0; z <= z1; z++) {
     const double dz2 = beyond2(centre->z, lo.z, 1 / per.z, z);
     for (int y = y0; y <= y1; y++) {
@@ -376,8 +388,8 @@ int packing_i_front_grid_gather(const packing_i_front_grid *grid,
       if (left2 < 0)
         continue;
       const double half = sqrt(left2);
-      const int first = cell_along(centre->x - half, lo.x, per.x),
-                last = cell_along(centre->x + half, lo.x, per.x);
+      const int first = cell_along(centre->x - half, lo.x, per.x, grid->n[0]),
+                last = cell_along(centre->x + half, lo.x, per.x, grid->n[0]);
       if (!list_row(&l, tile, y, z, first, last))
         return 0;
     }

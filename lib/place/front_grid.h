@@ -11,8 +11,6 @@
 #include "place_internal.h"
 
 enum {
-  PACKING_I_TILE_EDGE = 6, /* cells */
-  PACKING_I_TILE_CELLS = PACKING_I_TILE_EDGE * PACKING_I_TILE_EDGE * PACKING_I_TILE_EDGE,
   PACKING_I_TILE_AROUND = 27, /* a tile and its neighbours; 13 is itself */
   PACKING_I_TILE_ITSELF = 13,
   PACKING_I_LIST_LENGTH = 62,
@@ -26,14 +24,13 @@ typedef struct packing_i_front_list {
 } packing_i_front_list;
 
 typedef struct packing_i_front_tile {
-  int64_t at[3];                          /* in tiles */
-  packing_vec3 lo;                        /* its lowest corner */
-  uint32_t cell[PACKING_I_TILE_CELLS];    /* first bin; 0: empty */
+  int64_t at[3];   /* in tiles */
+  packing_vec3 lo; /* its lowest corner */
+  uint32_t *cell;  /* first bin of each, x fastest; 0: empty. NULL: not resident */
   uint32_t around[PACKING_I_TILE_AROUND]; /* tiles; 0: not made yet */
   uint32_t list;                          /* first list of indices */
   uint32_t pockets;                       /* first pocket at home here; 0: none */
   double next_key;                        /* no pocket with work has a smaller one */
-  int resident;                           /* the cells are filled */
   int pinned;                             /* holds periodic images: never emptied */
   int live;                               /* in the list of tiles with pockets */
   int surrounded;                         /* all tiles around are made */
@@ -45,6 +42,7 @@ typedef struct packing_i_front_grid {
   const packing_allocator *allocator;
   packing_vec3 origin;
   packing_vec3 edge;          /* of a tile [L] */
+  int n[3];                   /* cells along the edges of a tile */
   packing_vec3 per_edge;      /* cells over length */
   packing_i_front_tile *tile; /* [0] is none */
   size_t tiles, tile_room;
@@ -59,7 +57,7 @@ typedef struct packing_i_front_grid {
 
 void packing_i_front_grid_init(packing_i_front_grid *grid,
                                const packing_allocator *allocator, packing_vec3 origin,
-                               packing_vec3 edge);
+                               packing_vec3 edge, const int n[3]);
 void packing_i_front_grid_release(packing_i_front_grid *grid);
 
 /* In which tile a point lies. */
@@ -87,11 +85,11 @@ packing_status packing_i_front_tile_note(packing_i_front_grid *grid, uint32_t ti
 uint32_t packing_i_front_grid_insert(packing_i_front_grid *grid, uint32_t *tile,
                                      const packing_vec3 *p, double r, uint32_t *free_bin);
 
-/* Fills a tile again from its list. */
+/* Makes the cells of a tile, and fills them from its list. */
 packing_status packing_i_front_tile_fill(packing_i_front_grid *grid, uint32_t tile,
                                          const packing_particles *store);
 
-/* Gives the bins of a tile back. */
+/* Gives the bins and cells of a tile back. */
 void packing_i_front_tile_empty(packing_i_front_grid *grid, uint32_t tile);
 
 static inline packing_i_front_bin *

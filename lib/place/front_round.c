@@ -13,7 +13,7 @@ packing_status packing_i_front_prepare_tile(packing_i_pockets *p, uint32_t tile)
     return packing_i_nomem(p->placer->context);
   for (int n = 0; n < PACKING_I_TILE_AROUND; n++) {
     const uint32_t t = grid->tile[tile].around[n];
-    if (grid->tile[t].resident)
+    if (grid->tile[t].cell != NULL)
       continue;
     if (packing_i_front_tile_fill(grid, t, p->placer->particles) != PACKING_OK) {
       packing_i_front_tile_empty(grid, t);
@@ -305,7 +305,7 @@ static packing_status take_over(packing_i_pockets *p)
 
 static int is_left(const packing_i_front_grid *grid, const packing_i_front_tile *tile)
 {
-  if (!tile->resident || tile->pinned || tile->list == 0)
+  if (tile->cell == NULL || tile->pinned || tile->list == 0)
     return 0;
   for (int n = 0; n < PACKING_I_TILE_AROUND; n++)
     if (tile->around[n] != 0 && grid->tile[tile->around[n]].pockets != 0)

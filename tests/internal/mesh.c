@@ -433,6 +433,32 @@ static void test_inset(void **state)
   free(s);
 }
 
+/* Balls in an inset against balls in the smaller box that it is. */
+static void test_balls_in_an_inset(void **state)
+{
+  (void)state;
+  shape *s = shape_of(SHAPE_CUBE);
+  packing_domain *mesh = shape_domain(s, 1), *box = test_box(1, 1, 1, 0);
+  packing_domain *in_mesh = NULL, *in_box = NULL;
+  uint64_t random = 43;
+  assert_ok(packing_domain_create_inset(NULL, mesh, 0.25, &in_mesh));
+  assert_ok(packing_domain_create_inset(NULL, box, 0.25, &in_box));
+  assert_near(packing_domain_volume(in_mesh), packing_domain_volume(in_box), 1e-5);
+  for (int i = 0; i < 300; i++) {
+    const packing_vec3 p = shape_point(&random, mesh);
+    const double r = 0.02 + 0.2 * shape_random(&random);
+    double v, w, error;
+    assert_ok(packing_domain_sphere_volume(in_mesh, &p, r, 1e-3, &v, &error));
+    assert_ok(packing_domain_sphere_volume(in_box, &p, r, 1e-9, &w, NULL));
+    assert_near(v, w, 1e-2 * r * r * r);
+  }
+  packing_domain_destroy(in_mesh);
+  packing_domain_destroy(in_box);
+  packing_domain_destroy(mesh);
+  packing_domain_destroy(box);
+  free(s);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -449,6 +475,7 @@ int main(void)
       cmocka_unit_test(test_balls_by_subdivision),
       cmocka_unit_test(test_cells_and_sections),
       cmocka_unit_test(test_inset),
+      cmocka_unit_test(test_balls_in_an_inset),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
