@@ -35,8 +35,8 @@ static int run(layers_job *job, const char *command)
 
 int main(int argc, char **argv)
 {
-  static const struct argp_child children[] = {{&options_argp, 0, NULL, 0},
-                                               {NULL, 0, NULL, 0}};
+  static const struct argp_child children[] = {
+      {&options_argp, 0, NULL, 0}, {&forces_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
   static const struct argp own = {
       .options = layers_options_table,
       .parser = layers_options_parse,

@@ -72,8 +72,12 @@ void colours_init(colours *c, const pack *p)
   axis_init(&c->scale, lo, hi, 1);
 }
 
+static const rgb MARKED = {0.84, 0.15, 0.12}, UNMARKED = {0.72, 0.76, 0.80};
+
 rgb colours_of(const colours *c, const pack *p, size_t i)
 {
+  if (p->marked)
+    return p->marked[i] ? MARKED : UNMARKED;
   if (c->by == COLOUR_COMPONENT)
     return colours_category(pack_component(p, i));
   return colours_scale(c->equal ? ONLY : axis_place(&c->scale, value_of(c, p, i)));

@@ -22,7 +22,7 @@ typedef struct colours {
 
 void colours_init(colours *c, const pack *p);
 
-/* The colour of particle i. */
+/* The colour of particle i; marked packs have two. */
 rgb colours_of(const colours *c, const pack *p, size_t i);
 
 /* The bar (or the swatches) in a column of `height` pixels. */

@@ -40,6 +40,12 @@ void standard_files_fill(void)
     close(fd);
 }
 
+void interrupt_take(void)
+{
+  stop = 0;
+  interrupt_catch();
+}
+
 int interrupted(void)
 {
   return stop;

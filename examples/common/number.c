@@ -61,6 +61,23 @@ int number_positive(const char *where, const char *text, double *value)
   return 0;
 }
 
+int number_not_negative(const char *where, const char *text, double *value)
+{
+  const int code = number_real(where, text, value);
+  return !code && !(*value >= 0)
+             ? program_fail(PROGRAM_BAD_INPUT, "%s: %s is below 0", where, text)
+             : code;
+}
+
+int number_share(const char *where, const char *text, double *value)
+{
+  const int code = number_real(where, text, value);
+  return !code && !(*value > 0 && *value < 1)
+             ? program_fail(PROGRAM_BAD_INPUT, "%s: %s is not between 0 and 1", where,
+                            text)
+             : code;
+}
+
 int number_whole(const char *where, const char *text, uint64_t least, uint64_t most,
                  uint64_t *value)
 {

@@ -119,15 +119,6 @@ static int read_isa(const char *text, packing_isa *isa)
                       "--isa: '%s' is not auto, baseline, avx2 or avx512", text);
 }
 
-static int read_porosity(const char *text, double *porosity)
-{
-  const int code = number_real("--target-porosity", text, porosity);
-  if (!code && !(*porosity > 0 && *porosity < 1))
-    return program_fail(PROGRAM_BAD_INPUT, "--target-porosity: %s is not between 0 and 1",
-                        text);
-  return code;
-}
-
 static int read_max_overlap(const char *text, double *limit)
 {
   const int code = number_real("--max-overlap", text, limit);
@@ -264,7 +255,7 @@ static int read_amount(int key, const char *text, options *o)
   case KEY_MASS:
     return number_positive("--mass", text, &o->mass);
   case KEY_POROSITY:
-    return read_porosity(text, &o->porosity);
+    return number_share("--target-porosity", text, &o->porosity);
   default:
     return -1;
   }
@@ -349,6 +340,14 @@ char *options_add_spec_help(int key, const char *text, void *input)
 {
   static const char *const parts[] = {spec_domain_help,       "\n", spec_psd_help, "\n",
                                       spec_maker_status_help, NULL};
+  (void)input;
+  return end_help(key, text, parts);
+}
+
+char *options_add_grower_help(int key, const char *text, void *input)
+{
+  static const char *const parts[] = {spec_domain_help,        "\n", spec_psd_help, "\n",
+                                      spec_grower_status_help, NULL};
   (void)input;
   return end_help(key, text, parts);
 }
@@ -455,6 +454,20 @@ void options_free(options *o)
   free(o->out);
   free(o->combined);
   free(o->joined);
+}
+
+int options_choice(const char *option, const char *text, const char *const *names,
+                   int *choice)
+{
+  char list[64] = "";
+  for (int i = 0; names[i]; i++) {
+    if (strcmp(names[i], text) == 0) {
+      *choice = i;
+      return 0;
+    }
+    spec_list(list, sizeof list, names[i]);
+  }
+  return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' is none of %s", option, text, list);
 }
 
 /* Pack after pack would repeat the warning about one field with other numbers. */

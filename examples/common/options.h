@@ -65,6 +65,7 @@ error_t options_refuse(int key, char *argument, struct argp_state *state);
 /* A help filter that ends --help with the little language of --domain and --psd, one of --domain
  * alone, and one of both for programs that judge no pack. */
 char *options_add_spec_help(int key, const char *text, void *input);
+char *options_add_grower_help(int key, const char *text, void *input);
 char *options_add_domain_help(int key, const char *text, void *input);
 char *options_add_taker_help(int key, const char *text, void *input);
 
@@ -77,6 +78,10 @@ void options_report(cJSON *all, const options *o, const packing_context *context
 
 /* The names of colour_by. */
 const char *colour_name(colour_by colour);
+
+/* Which of the names (NULL behind the last) a word is; 0 or an exit code. */
+int options_choice(const char *option, const char *text, const char *const *names,
+                   int *choice);
 
 /* A context as asked; 0 or an exit code. */
 int options_context(const options *o, packing_context **context);

@@ -152,6 +152,7 @@ static void trace_part(void *user, const domain_spec *spec)
   switch (spec->kind) {
   case DOMAIN_NONE:
   case DOMAIN_POLYGON: /* its corners are in a file */
+  case DOMAIN_MESH:
     break;
   case DOMAIN_BOX:
   case DOMAIN_RECT:

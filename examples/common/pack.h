@@ -32,6 +32,10 @@ typedef struct pack {
   double density;         /* of the particles */
   double volume_fraction; /* NaN where unknown */
   colour_by colour;
+  const unsigned char
+      *marked;       /* not NULL: 1 for particles to be shown in red, all others in
+       grey, whatever the colour says */
+  const char *title; /* of a sheet of packs; NULL: their number and fractions */
   notes notes;
   const char *report; /* the JSON text */
   const void *own;    /* what a program's own writers want beside */

@@ -66,7 +66,9 @@ static void draw_title(canvas *sheet, const pack *packs, size_t count)
     fractions[i] = packs[i].volume_fraction;
   const moments found = moments_of(fractions, count);
   free(fractions);
-  if (count > 1)
+  if (packs[0].title)
+    snprintf(line, sizeof line, "%s", packs[0].title);
+  else if (count > 1)
     snprintf(line, sizeof line, "%zu packs, volume fraction %.4f, deviation %.4f", count,
              found.mean, found.sd);
   else
@@ -90,7 +92,10 @@ static packing_status draw_pack(canvas *sheet, const sheet_layout *l, const pack
   const packing_status status =
       picture_draw_field(sheet, &l->frame, &packs[i], &meaning, CIRCLES / count);
   cairo_restore(sheet->cr);
-  snprintf(line, sizeof line, "%zu: %.4f", i + 1, packs[i].volume_fraction);
+  if (packs[i].title)
+    picture_caption(line, sizeof line, &packs[i]);
+  else
+    snprintf(line, sizeof line, "%zu: %.4f", i + 1, packs[i].volume_fraction);
   cairo_set_source_rgb(sheet->cr, 0.2, 0.2, 0.2);
   canvas_text(sheet, x + 0.5 * l->frame.width, y + l->frame.height + 22, 18, 0,
               ALIGN_MIDDLE, line);

@@ -68,6 +68,33 @@ int program_status(const packing_context *context, packing_status status,
                       *message ? message : packing_status_string(status));
 }
 
+/* "slip_velocity" as "--slip-velocity", unless a row says otherwise; free it. */
+static char *option_of(const char *field, size_t length, const program_field *rows)
+{
+  for (; rows && rows->field; rows++)
+    if (strlen(rows->field) == length && strncmp(rows->field, field, length) == 0)
+      return program_copy(rows->option, strlen(rows->option));
+  char *option = program_take(length + 3, 1);
+  memcpy(option, "--", 2);
+  for (size_t i = 0; i < length; i++)
+    option[i + 2] = field[i] == '_' ? '-' : field[i];
+  return option;
+}
+
+int program_field_status(const packing_context *context, packing_status status,
+                         const char *what, const program_field *rows)
+{
+  const char *message = packing_context_message(context);
+  const size_t field = strcspn(message, ":[ ");
+  if (exit_code(status) != PROGRAM_BAD_INPUT ||
+      (message[field] != ':' && message[field] != '['))
+    return program_status(context, status, what);
+  char *option = option_of(message, field, rows);
+  const int code = program_fail(PROGRAM_BAD_INPUT, "%s%s", option, message + field);
+  free(option);
+  return code;
+}
+
 void *program_take_more(void *block, size_t count, size_t size)
 {
   void *grown = reallocarray(block, count ? count : 1, size);

@@ -30,6 +30,17 @@ int program_interrupted(void);
 int program_status(const packing_context *context, packing_status status,
                    const char *what);
 
+/* The option that stands for a field of the library. */
+typedef struct program_field {
+  const char *field, *option;
+} program_field;
+
+/* The same of a call whose fields are those of options: the line begins with the option. `rows`
+ * (the last with a NULL field; NULL: none) are the fields whose options have another name than
+ * theirs with hyphens; `what` is for failures that name no field. */
+int program_field_status(const packing_context *context, packing_status status,
+                         const char *what, const program_field *rows);
+
 /* Memory or the end of the program: for the small things that are read from the command
  * line, before any work starts. */
 void *program_take(size_t count, size_t size);
@@ -40,6 +51,9 @@ char *program_copy(const char *text, size_t length);
  * return 0, or an exit code after a line that starts with `where`. */
 int number_real(const char *where, const char *text, double *value);
 int number_positive(const char *where, const char *text, double *value);
+int number_not_negative(const char *where, const char *text, double *value);
+int number_share(const char *where, const char *text,
+                 double *value); /* above 0, below 1 */
 int number_whole(const char *where, const char *text, uint64_t least, uint64_t most,
                  uint64_t *value);
 
@@ -56,6 +70,8 @@ void interrupt_catch(void);
  * to be opened takes their number, and a report ends up in a pack. */
 void standard_files_fill(void);
 int interrupted(void);
+/* Takes an interruption as the end of the work and not of the program: the next one counts anew. */
+void interrupt_take(void);
 
 /* The command line as one could type it again. Free it. */
 char *program_command_line(int argc, char **argv);

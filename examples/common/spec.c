@@ -19,6 +19,7 @@ const char spec_domain_help[] =
     "  polygon:FILE            in two dimensions, with holes: a header line 'x,y', then\n"
     "                          a vertex a line; a blank line, or another number in a\n"
     "                          column 'ring', begins the next ring\n"
+    "  mesh:FILE               a closed surface of triangles: STL, OBJ, PLY\n"
     "  ...,axis=x              or y: the axis of a cylinder, tube, cone, silo\n"
     "  ...+periodic            box, rect; +periodic:xy in these directions only\n"
     "  ...+open:top            without a wall at the top\n"
@@ -59,6 +60,16 @@ const char spec_maker_status_help[] =
     "  2                       bad input: one line says what, nothing is written\n"
     "  3                       a file cannot be read or written, or no memory\n"
     "  130                     interrupted, nothing is written\n";
+
+const char spec_grower_status_help[] =
+    "Exit status:\n"
+    "  0                       done\n"
+    "  1                       less was placed than asked, or the audit failed;\n"
+    "                          files are written\n"
+    "  2                       bad input: one line says what, nothing is written\n"
+    "  3                       a file cannot be read or written, or no memory\n"
+    "  130                     interrupted: while particles are placed, files hold the\n"
+    "                          pack as it stood, audited; later nothing is written\n";
 
 const char spec_taker_status_help[] =
     "Exit status:\n"

@@ -20,7 +20,8 @@ typedef enum domain_kind {
   DOMAIN_SPHERE,
   DOMAIN_CIRCLE,
   DOMAIN_ANNULUS,
-  DOMAIN_POLYGON
+  DOMAIN_POLYGON,
+  DOMAIN_MESH
 } domain_kind;
 
 /* A container as it was asked for, scaled and moved. Where it is combined with others,
@@ -101,6 +102,9 @@ int psd_spec_create(packing_context *context, const char *text, int dim,
  * those that take them. */
 extern const char spec_domain_help[], spec_psd_help[];
 extern const char spec_maker_status_help[], spec_taker_status_help[];
+
+/* That of makers whose interrupted packs are whole. */
+extern const char spec_grower_status_help[];
 
 /* Adds a name to a list "a, b, c" for a message. */
 void spec_list(char *list, size_t size, const char *name);

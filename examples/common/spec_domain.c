@@ -38,6 +38,7 @@ static const kind_row kinds[] = {
     {"circle", "circle:R", {"R"}, DOMAIN_CIRCLE, 2, 0, 0},
     {"annulus", "annulus:RI,RO", {"RI", "RO"}, DOMAIN_ANNULUS, 2, 0, 0},
     {"polygon", "polygon:FILE", {NULL}, DOMAIN_POLYGON, 2, FROM_FILE, 0},
+    {"mesh", "mesh:FILE", {NULL}, DOMAIN_MESH, 3, FROM_FILE, 0},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -425,6 +426,22 @@ static packing_status read_polygon(packing_context *context, const domain_spec *
   return packing_read_polygon(context, &def, stream, domain);
 }
 
+static packing_status read_mesh(packing_context *context, const domain_spec *spec,
+                                const packing_stream *stream, packing_domain **domain)
+{
+  packing_read_mesh_def def;
+  packing_domain_mesh_def walls;
+  packing_read_mesh_def_init(&def);
+  packing_domain_mesh_def_init(&walls);
+  def.scale = spec->scale;
+  def.shift = spec->at;
+  packing_status status = packing_read_mesh(context, &def, stream, &walls.mesh);
+  if (status == PACKING_OK)
+    status = packing_domain_create_mesh(context, &walls, domain);
+  packing_mesh_destroy(walls.mesh);
+  return status;
+}
+
 static int create_from_file(packing_context *context, const domain_spec *spec,
                             file_reader reader, input_files *files,
                             packing_domain **domain)
@@ -460,6 +477,8 @@ int domain_part_create(packing_context *context, const domain_spec *spec,
       [DOMAIN_ANNULUS] = create_flat};
   if (spec->kind == DOMAIN_POLYGON)
     return create_from_file(context, spec, read_polygon, files, domain);
+  if (spec->kind == DOMAIN_MESH)
+    return create_from_file(context, spec, read_mesh, files, domain);
   const packing_status status = create[spec->kind](context, spec, domain);
   return status == PACKING_OK ? 0 : program_status(context, status, option);
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../common/program.h"
+#include "../common/text_file.h"
 #include "compare.h"
 
 enum { MOST_LINE = 8192 };
@@ -101,7 +102,7 @@ int compare_add_columns(compare_job *job, const char *option, const char *path)
   columns c = {job, option, path, 0, 0, 0};
   char *text = NULL;
   size_t length = 0;
-  int code = compare_read(job, option, path, &text, &length);
+  int code = text_file_read(job->context, &job->input, option, path, &text, &length);
   if (!code && memchr(text, '\0', length))
     code = program_fail(PROGRAM_BAD_INPUT, "%s: %s is no text", option, path);
   for (char *rest = text; !code && rest;) {

@@ -87,10 +87,6 @@ typedef struct compare_job {
   stat_anova anova;
 } compare_job;
 
-/* A whole file, its hash noted among the inputs, and a zero byte after it; free it. */
-int compare_read(compare_job *job, const char *option, const char *path, char **text,
-                 size_t *length);
-
 /* Adds the numbers of a report (by the key) or the radii of a pack, [FORMAT:]FILE, to a set. */
 int compare_add_file(compare_job *job, const char *option, const char *name,
                      compare_set *set);

@@ -5,20 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../common/program.h"
-#include "../common/sha256.h"
+#include "../common/text_file.h"
 #include "compare.h"
-
-static void note_input(input_files *files, const char *path, const char *text,
-                       size_t length)
-{
-  sha256 hash;
-  files->items = program_take_more(files->items, files->count + 1, sizeof *files->items);
-  input_file *file = &files->items[files->count++];
-  file->path = program_copy(path, strlen(path));
-  sha256_start(&hash);
-  sha256_add(&hash, text, length);
-  sha256_finish(&hash, file->sha256);
-}
 
 static int failed(const compare_job *job, packing_status status, const char *option,
                   const char *path)
@@ -26,35 +14,6 @@ static int failed(const compare_job *job, packing_status status, const char *opt
   char where[4200];
   snprintf(where, sizeof where, "%s: %s", option, path);
   return program_status(job->context, status, where);
-}
-
-int compare_read(compare_job *job, const char *option, const char *path, char **text,
-                 size_t *length)
-{
-  packing_file *file = NULL;
-  size_t capacity = 1 << 16, got = 1;
-  packing_status status = packing_file_open(job->context, path, &file);
-  if (status != PACKING_OK)
-    return program_status(job->context, status, option);
-  const packing_stream *stream = packing_file_stream(file);
-  *length = 0;
-  *text = program_take(capacity, 1);
-  while (got > 0 && status == PACKING_OK && !interrupted()) {
-    if (capacity - *length < 2) {
-      capacity *= 2;
-      *text = program_take_more(*text, capacity, 1);
-    }
-    status = stream->read(stream->user, *text + *length, capacity - *length - 1, &got);
-    *length += status == PACKING_OK ? got : 0;
-  }
-  (*text)[*length] = '\0';
-  packing_file_close(file);
-  if (interrupted())
-    return program_interrupted();
-  if (status != PACKING_OK)
-    return failed(job, status, option, path);
-  note_input(&job->input, path, *text, *length);
-  return 0;
 }
 
 /* ---- reports ---- */
@@ -215,7 +174,7 @@ int compare_add_file(compare_job *job, const char *option, const char *name,
   const named_file file = name_file(name);
   char *text = NULL;
   size_t length = 0;
-  int code = compare_read(job, option, file.path, &text, &length);
+  int code = text_file_read(job->context, &job->input, option, file.path, &text, &length);
   const int is_report = !code && text[strspn(text, " \t\r\n")] == '{';
   const char *what = is_report ? "report" : "r";
   if (!code && set->what && strcmp(set->what, what) != 0)

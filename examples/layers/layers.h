@@ -6,6 +6,7 @@
  * 23 (2016), Algorithm 1. Functions return 0 or an exit code, after one line on standard error.
  * "Up" is the last axis: z, in two dimensions y. */
 
+#include "../common/forces.h"
 #include "../common/measures.h"
 #include "../common/options.h"
 #include "../common/progress.h"
@@ -29,31 +30,26 @@ enum { LAYERS_MOST = 4096, PACKS_MOST = 1000 };
 typedef struct layers_options {
   options common;
   const char *example; /* "5.1" ...; NULL: none */
-  const char *gravity; /* as typed, NULL: not given */
-  const char *near_field;
   const char *sheet;
   uint64_t dim; /* 0: not given */
   double height, layer_height, layer_density;
-  double layer_time, layer_time_max, rest_tolerance, dt;
-  double young, poisson, damping, friction, drag, slip_velocity;
+  double layer_time, layer_time_max, rest_tolerance;
+  forces_options forces;
   layer_end end;
   layer_start start;
   full_rule full;
-  packing_arm arm;
-  int rotations, pull, disc_mass, material_walls;
   uint64_t packs, sets, max_layers;
 } layers_options;
 
 void layers_options_init(layers_options *o);
 
-/* For argp: the options of this program, the common ones being its first child. */
+/* For argp: the options of this program, the common ones and the forces being its children. */
 extern const struct argp_option layers_options_table[];
 error_t layers_options_parse(int key, char *argument, struct argp_state *state);
 
 /* The names of choices, in the order of their values. */
-extern const char *const layers_end_names[],
-    *const layers_start_names[],
-        *const layers_full_names[], *const layers_arm_names[], *const layers_wall_names[];
+extern const char *const layers_end_names[], *const layers_start_names[],
+                                                 *const layers_full_names[];
 
 /* Vertical columns of two mean diameters' width over the cross-section. */
 typedef struct columns {
@@ -75,12 +71,7 @@ typedef struct layers_job {
   packing_context *context;
   packing_domain *domain;
   packing_psd *psd;
-  packing_materials *materials;
-  packing_law *laws[3];
-  size_t law_count;
-  packing_vec3 gravity;
-  double near_field[5];
-  double down;       /* gravity's part downwards, > 0 */
+  forces forces;
   double floor, top; /* of the container */
   double mean_r;
   columns columns;

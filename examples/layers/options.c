@@ -19,20 +19,6 @@ enum {
   KEY_LAYER_TIME,
   KEY_LAYER_TIME_MAX,
   KEY_REST_TOLERANCE,
-  KEY_GRAVITY,
-  KEY_ROTATIONS,
-  KEY_FRICTION,
-  KEY_SLIP_VELOCITY,
-  KEY_YOUNG,
-  KEY_POISSON,
-  KEY_DAMPING,
-  KEY_PULL,
-  KEY_DRAG,
-  KEY_NEAR_FIELD,
-  KEY_DISC_MASS,
-  KEY_ARM,
-  KEY_WALLS,
-  KEY_DT,
   KEY_PACKS,
   KEY_SETS,
   KEY_SHEET
@@ -90,47 +76,6 @@ const struct argp_option layers_options_table[] = {
      "so many sets of packs (default 1), with statistics of each set and of all: "
      "pack-1-1.csv ... Pack P of set S alone: --stream 1000 (S - 1) + P - 1",
      3},
-    {NULL, 0, NULL, 0, "Forces:", 4},
-    {"gravity", KEY_GRAVITY, "G|GX,GY,GZ", 0,
-     "what jams the particles: downwards (default 2), or a vector (two dimensions: "
-     "GX,GY) "
-     "that points downwards in part",
-     4},
-    {"rotations", KEY_ROTATIONS, "on|off", 0, "whether particles spin (default on)", 4},
-    {"friction", KEY_FRICTION, "MU", 0, "coefficient of friction (default 0.2)", 4},
-    {"slip-velocity", KEY_SLIP_VELOCITY, "V0", 0,
-     "friction grows with the sliding velocity u as u / sqrt(u^2 + V0^2) (default 0.001 "
-     "of "
-     "sqrt(g r), r the mean radius)",
-     4},
-    {"young", KEY_YOUNG, "E", 0, "Young's modulus (default 1e8)", 4},
-    {"poisson", KEY_POISSON, "NU", 0, "Poisson's ratio (default 0.25)", 4},
-    {"damping", KEY_DAMPING, "XI", 0, "damping rate of contacts (default 0.1)", 4},
-    {"pull", KEY_PULL, "on|off", 0,
-     "on: contacts pull at separation, as printed in the paper (default off)", 4},
-    {"drag", KEY_DRAG, "C", 0,
-     "force per velocity of the fluid (default 0, in the examples 0.005)", 4},
-    {"near-field", KEY_NEAR_FIELD, "A1,B1,A2,B2,CUTOFF", 0,
-     "force between centres at distance d below CUTOFF: attraction A1 d^-B1, repulsion "
-     "A2 "
-     "d^-B2 (default none)",
-     4},
-    {"disc-mass", KEY_DISC_MASS, "on|off", 0,
-     "two dimensions: on, particles weigh as discs (--density by area); off (default), "
-     "as "
-     "spheres",
-     4},
-    {"arm", KEY_ARM, "contact|radius", 0,
-     "where friction turns a particle: at the common contact point (default), or at its "
-     "radius as in the paper",
-     4},
-    {"walls", KEY_WALLS, "rigid|material", 0,
-     "walls that do not give way (default), or of the particles' material", 4},
-    {"dt", KEY_DT, "DT", 0,
-     "length of a step (default: advised for the smallest particle and a fall through "
-     "H0; "
-     "in the examples 1e-4)",
-     4},
     {"sheet", KEY_SHEET, "FILE", 0, "one picture of all packs (.png or .svg)", 7},
     {NULL, 0, NULL, 0, NULL, 0},
 };
@@ -138,71 +83,32 @@ const struct argp_option layers_options_table[] = {
 const char *const layers_end_names[] = {"rest", "time", NULL};
 const char *const layers_start_names[] = {"highest", "bed", NULL};
 const char *const layers_full_names[] = {"bed", "highest", NULL};
-const char *const layers_arm_names[] = {"contact", "radius", NULL};
-const char *const layers_wall_names[] = {"rigid", "material", NULL};
 static const char *const example_names[] = {"5.1", "5.2", "5.3", "5.4", NULL};
-static const char *const switch_names[] = {"off", "on", NULL};
 
 /* Reals: where they go and what they may be. */
-enum { ANY, NOT_NEGATIVE, POSITIVE, SHARE };
-
-typedef struct real_row {
+static const struct {
   int key;
   const char *option;
   size_t place;
-  int kind;
-} real_row;
-
-#define REAL(key, option, member, kind)                                                  \
-  {                                                                                      \
-    key, option, offsetof(layers_options, member), kind                                  \
-  }
-
-static const real_row reals[] = {
-    REAL(KEY_HEIGHT, "--height", height, POSITIVE),
-    REAL(KEY_LAYER_HEIGHT, "--layer-height", layer_height, POSITIVE),
-    REAL(KEY_LAYER_DENSITY, "--layer-density", layer_density, SHARE),
-    REAL(KEY_LAYER_TIME, "--layer-time", layer_time, POSITIVE),
-    REAL(KEY_LAYER_TIME_MAX, "--layer-time-max", layer_time_max, POSITIVE),
-    REAL(KEY_REST_TOLERANCE, "--rest-tolerance", rest_tolerance, POSITIVE),
-    REAL(KEY_FRICTION, "--friction", friction, NOT_NEGATIVE),
-    REAL(KEY_SLIP_VELOCITY, "--slip-velocity", slip_velocity, POSITIVE),
-    REAL(KEY_YOUNG, "--young", young, POSITIVE),
-    REAL(KEY_POISSON, "--poisson", poisson, ANY),
-    REAL(KEY_DAMPING, "--damping", damping, NOT_NEGATIVE),
-    REAL(KEY_DRAG, "--drag", drag, NOT_NEGATIVE),
-    REAL(KEY_DT, "--dt", dt, POSITIVE),
+  int (*read)(const char *where, const char *text, double *value);
+} reals[] = {
+    {KEY_HEIGHT, "--height", offsetof(layers_options, height), number_positive},
+    {KEY_LAYER_HEIGHT, "--layer-height", offsetof(layers_options, layer_height),
+     number_positive},
+    {KEY_LAYER_DENSITY, "--layer-density", offsetof(layers_options, layer_density),
+     number_share},
+    {KEY_LAYER_TIME, "--layer-time", offsetof(layers_options, layer_time),
+     number_positive},
+    {KEY_LAYER_TIME_MAX, "--layer-time-max", offsetof(layers_options, layer_time_max),
+     number_positive},
+    {KEY_REST_TOLERANCE, "--rest-tolerance", offsetof(layers_options, rest_tolerance),
+     number_positive},
 };
+enum { REALS = sizeof reals / sizeof reals[0] };
 
-static int read_real(const real_row *row, const char *text, layers_options *o)
+static double *real_at(layers_options *o, size_t row)
 {
-  double *value = (double *)(void *)((char *)o + row->place);
-  if (row->kind == POSITIVE)
-    return number_positive(row->option, text, value);
-  const int code = number_real(row->option, text, value);
-  if (!code && row->kind == NOT_NEGATIVE && !(*value >= 0))
-    return program_fail(PROGRAM_BAD_INPUT, "%s: %s is below 0", row->option, text);
-  if (!code && row->kind == SHARE && !(*value > 0 && *value < 1))
-    return program_fail(PROGRAM_BAD_INPUT, "%s: %s is not between 0 and 1", row->option,
-                        text);
-  if (!code && row->key == KEY_POISSON && !(*value > -1 && *value <= 0.5))
-    return program_fail(PROGRAM_BAD_INPUT, "--poisson: %s is not above -1 and up to 0.5",
-                        text);
-  return code;
-}
-
-static int read_choice(const char *option, const char *text, const char *const *names,
-                       int *choice)
-{
-  char list[64] = "";
-  for (int i = 0; names[i]; i++) {
-    if (strcmp(names[i], text) == 0) {
-      *choice = i;
-      return 0;
-    }
-    spec_list(list, sizeof list, names[i]);
-  }
-  return program_fail(PROGRAM_BAD_INPUT, "%s: '%s' is none of %s", option, text, list);
+  return (double *)(void *)((char *)o + reals[row].place);
 }
 
 static int read_sheet(layers_options *o, const char *text)
@@ -219,47 +125,29 @@ static int read_word(int key, const char *text, layers_options *o)
   int choice = 0, code = 0;
   switch (key) {
   case KEY_EXAMPLE:
-    code = read_choice("--example", text, example_names, &choice);
+    code = options_choice("--example", text, example_names, &choice);
     o->example = text;
     return code;
   case KEY_DIM:
     return number_whole("--dim", text, 2, 3, &o->dim);
   case KEY_LAYER_START:
-    code = read_choice("--layer-start", text, layers_start_names, &choice);
+    code = options_choice("--layer-start", text, layers_start_names, &choice);
     o->start = (layer_start)choice;
     return code;
   case KEY_FULL:
-    code = read_choice("--full", text, layers_full_names, &choice);
+    code = options_choice("--full", text, layers_full_names, &choice);
     o->full = (full_rule)choice;
     return code;
   case KEY_LAYER_END:
-    code = read_choice("--layer-end", text, layers_end_names, &choice);
+    code = options_choice("--layer-end", text, layers_end_names, &choice);
     o->end = (layer_end)choice;
     return code;
-  case KEY_ARM:
-    code = read_choice("--arm", text, layers_arm_names, &choice);
-    o->arm = (packing_arm)choice;
-    return code;
-  case KEY_ROTATIONS:
-    return read_choice("--rotations", text, switch_names, &o->rotations);
-  case KEY_PULL:
-    return read_choice("--pull", text, switch_names, &o->pull);
-  case KEY_DISC_MASS:
-    return read_choice("--disc-mass", text, switch_names, &o->disc_mass);
-  case KEY_WALLS:
-    return read_choice("--walls", text, layers_wall_names, &o->material_walls);
   case KEY_MAX_LAYERS:
     return number_whole("--max-layers", text, 1, LAYERS_MOST, &o->max_layers);
   case KEY_PACKS:
     return number_whole("--packs", text, 1, PACKS_MOST, &o->packs);
   case KEY_SETS:
     return number_whole("--sets", text, 1, PACKS_MOST, &o->sets);
-  case KEY_GRAVITY:
-    o->gravity = text;
-    return 0;
-  case KEY_NEAR_FIELD:
-    o->near_field = text;
-    return 0;
   case KEY_SHEET:
     return read_sheet(o, text);
   default:
@@ -269,9 +157,9 @@ static int read_word(int key, const char *text, layers_options *o)
 
 static int read_own(int key, const char *text, layers_options *o)
 {
-  for (size_t i = 0; i < sizeof reals / sizeof reals[0]; i++)
+  for (size_t i = 0; i < REALS; i++)
     if (reals[i].key == key)
-      return read_real(&reals[i], text, o);
+      return reals[i].read(reals[i].option, text, real_at(o, i));
   return read_word(key, text, o);
 }
 
@@ -281,6 +169,7 @@ error_t layers_options_parse(int key, char *argument, struct argp_state *state)
   if (key == ARGP_KEY_INIT) {
     options_refuse(key, argument, state);
     options_pass_on(state, &o->common, 1);
+    state->child_inputs[1] = &o->forces;
     return 0;
   }
   const int code = read_own(key, argument, o);
@@ -294,9 +183,9 @@ void layers_options_init(layers_options *o)
   memset(o, 0, sizeof *o);
   options_init(&o->common);
   o->common.max_overlap = 0.01;
-  for (size_t i = 0; i < sizeof reals / sizeof reals[0]; i++)
-    *(double *)(void *)((char *)o + reals[i].place) = (double)NAN;
-  o->rotations = 1;
+  for (size_t i = 0; i < REALS; i++)
+    *real_at(o, i) = (double)NAN;
+  forces_options_init(&o->forces);
   o->packs = o->sets = 1;
   o->max_layers = 1000;
 }

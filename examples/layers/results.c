@@ -9,13 +9,6 @@ static const char *const stop_names[] = {"full", "no room", "most layers"};
 
 /* ---- the report ---- */
 
-static void report_vector(cJSON *all, const char *key, const double *v, size_t count)
-{
-  cJSON *list = report_add_list(all, key);
-  for (size_t i = 0; i < count; i++)
-    report_append_real(list, v[i]);
-}
-
 static void report_bed(cJSON *all, const layers_options *o)
 {
   report_add_text(all, "example", o->example);
@@ -33,29 +26,6 @@ static void report_bed(cJSON *all, const layers_options *o)
   report_add_u64(all, "sets", o->sets);
 }
 
-static void report_forces(cJSON *all, const layers_job *job)
-{
-  const layers_options *o = job->asked;
-  const double g[3] = {job->gravity.x, job->gravity.y, job->gravity.z};
-  report_vector(all, "gravity", g, (size_t)job->spec.dim);
-  report_add_flag(all, "rotations", o->rotations);
-  report_add_real(all, "density", o->common.density);
-  report_add_real(all, "friction", o->friction);
-  report_add_real(all, "slip_velocity", o->slip_velocity);
-  report_add_real(all, "young", o->young);
-  report_add_real(all, "poisson", o->poisson);
-  report_add_real(all, "damping", o->damping);
-  report_add_flag(all, "pull", o->pull);
-  report_add_real(all, "drag", o->drag);
-  if (o->near_field)
-    report_vector(all, "near_field", job->near_field, 5);
-  else
-    report_add_text(all, "near_field", NULL);
-  report_add_flag(all, "disc_mass", o->disc_mass);
-  report_add_text(all, "arm", layers_arm_names[o->arm]);
-  report_add_text(all, "walls", layers_wall_names[o->material_walls]);
-}
-
 /* Of the run, or of one pack as if it were asked for alone. */
 static cJSON *report_options(const layers_job *job, const layered_pack *made)
 {
@@ -66,8 +36,7 @@ static cJSON *report_options(const layers_job *job, const layered_pack *made)
   report_add_text(all, "domain", job->domain_text);
   report_add_text(all, "psd", job->psd_text);
   report_bed(all, job->asked);
-  report_forces(all, job);
-  report_add_real(all, "dt", job->asked->dt > 0 ? job->asked->dt : (double)NAN);
+  forces_report(all, &job->forces);
   options_report(all, &common, job->context);
   report_add_text(all, "sheet", job->asked->sheet);
   return all;
@@ -170,8 +139,8 @@ static void fill_notes(const layers_job *job, const layered_pack *made, notes *a
   notes_add(all, "psd", "%s", job->psd_text);
   notes_add(all, "layers", "%zu of height %.9g at volume fraction %.9g, until %s",
             made->count, o->layer_height, o->layer_density, layers_end_names[o->end]);
-  notes_add(all, "rotations", "%s", o->rotations ? "on" : "off");
-  notes_add(all, "friction", "%.9g", o->friction);
+  notes_add(all, "rotations", "%s", o->forces.rotations ? "on" : "off");
+  notes_add(all, "friction", "%.9g", o->forces.friction);
   notes_add(all, "seed", "%llu", (unsigned long long)o->common.seed);
   notes_add(all, "stream", "%llu", (unsigned long long)made->stream);
   notes_add(all, "volume_fraction", "%.9g below %s %.9g", made->report.volume_fraction,

@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../common/program.h"
+#include "../common/settling.h"
 #include "layers.h"
 
 /* How much work a call does: short enough for a lively bar and a prompt interrupt. */
-static const double STEPS_AT_ONCE = 3e5; /* particle-steps */
-enum { PLACER_STEP = 8, LOOKS = 100 };
+enum { PLACER_STEP = 8 };
 
 static packing_view view_of(const layered_pack *made)
 {
@@ -125,110 +125,37 @@ static int lay(layers_job *job, layered_pack *made)
 
 /* ---- settling ---- */
 
-static int stepper_status(const layers_job *job, packing_status status)
-{
-  return program_status(job->context, status,
-                        status == PACKING_ERR_UNSTABLE   ? "--dt"
-                        : status == PACKING_ERR_GEOMETRY ? "--domain"
-                                                         : "stepper");
-}
-
 static packing_status create_stepper(layers_job *job, layered_pack *made)
 {
-  const layers_options *o = job->asked;
   packing_dem_def def;
   packing_dem_def_init(&def);
-  def.dt = o->dt;
-  def.gravity = job->gravity;
-  def.drag = o->drag;
-  def.rotations = o->rotations;
-  def.arm = o->arm;
-  def.disc_mass = o->disc_mass;
-  if (o->material_walls)
-    def.wall_material = 0;
+  forces_tell(&job->forces, &def);
   /* What the stepper itself left in the bed may be mid-collision when the next layer comes; new
    * particles overlap nothing. The audit judges the end. */
   def.max_start_overlap = 1;
-  def.impact_velocity = sqrt(2 * job->down * o->layer_height);
-  return packing_dem_create(job->context, &def, job->domain, job->materials, job->laws,
-                            job->law_count, made->particles, &made->dem);
+  def.impact_velocity = sqrt(2 * job->forces.down * job->asked->layer_height);
+  return packing_dem_create(job->context, &def, job->domain, job->forces.materials,
+                            job->forces.laws, job->forces.law_count, made->particles,
+                            &made->dem);
 }
 
 static int wake(layers_job *job, layered_pack *made)
 {
   const packing_status status =
       made->dem ? packing_dem_reload(made->dem) : create_stepper(job, made);
-  return status == PACKING_OK ? 0 : stepper_status(job, status);
+  return status == PACKING_OK ? 0 : forces_status(&job->forces, status);
 }
 
-/* Steps that a time stands for, at least one. */
-static uint64_t steps_of(double time, double dt)
-{
-  return (uint64_t)fmax(1, fmin(floor(time / dt + 0.5), 1e15));
-}
+typedef struct settling_layer {
+  layers_job *job;
+  const layered_pack *made;
+} settling_layer;
 
-/* The pace of a layer, in steps. */
-typedef struct pace {
-  uint64_t last;     /* it ends after this at the latest */
-  uint64_t earliest; /* no look before */
-  uint64_t look;     /* and then one every so many */
-  uint64_t at_once;
-} pace;
-
-static pace choose_pace(const layers_job *job, const layered_pack *made, double dt)
+static void show_settling(void *user, double share, double work)
 {
-  const layers_options *o = job->asked;
-  const double particles = (double)packing_particles_count(made->particles);
-  const int rest = o->end == LAYER_END_REST;
-  return (pace){
-      .last = steps_of(rest ? o->layer_time_max : o->layer_time, dt),
-      .earliest = steps_of(sqrt(2 * o->layer_height / job->down), dt),
-      .look = steps_of(o->layer_time / LOOKS, dt),
-      .at_once = (uint64_t)fmax(1, STEPS_AT_ONCE / particles),
-  };
-}
-
-static uint64_t least(uint64_t a, uint64_t b)
-{
-  return a < b ? a : b;
-}
-
-/* Steps to the next look, and not too many. */
-static uint64_t next_steps(const pace *p, uint64_t done)
-{
-  const uint64_t to_look = p->look - done % p->look;
-  return least(least(to_look, p->at_once), p->last - done);
-}
-
-static int at_rest(const layers_job *job, const layered_pack *made, const pace *p,
-                   uint64_t done)
-{
-  return job->asked->end == LAYER_END_REST && done >= p->earliest &&
-         done % p->look == 0 && made->moved.kinetic_per_mgr < job->asked->rest_tolerance;
-}
-
-static int step(layers_job *job, layered_pack *made, const pace *p)
-{
-  layer *here = &made->layers[made->count - 1];
-  uint64_t done = 0;
-  while (done < p->last && !here->rested && !interrupted()) {
-    const uint64_t steps = next_steps(p, done);
-    const packing_status status = packing_dem_step(made->dem, steps, &made->moved);
-    if (status == PACKING_ERR_UNSTABLE)
-      return program_fail(PROGRAM_BAD_INPUT,
-                          "--dt: %s; a shorter step, or with much friction a larger "
-                          "--slip-velocity than %.3g, may hold it",
-                          packing_context_message(job->context),
-                          job->asked->slip_velocity);
-    if (status != PACKING_OK)
-      return stepper_status(job, status);
-    done += steps;
-    job->work += (double)steps * (double)made->moved.particles;
-    here->rested = at_rest(job, made, p, done);
-    show(job, made, "settling", (double)done / (double)p->last);
-  }
-  here->time = (double)done * made->moved.dt;
-  return interrupted() ? program_interrupted() : 0;
+  const settling_layer *here = user;
+  here->job->work += work;
+  show(here->job, here->made, "settling", share);
 }
 
 static void remark_capped(layers_job *job, const layered_pack *made)
@@ -247,16 +174,28 @@ static void remark_capped(layers_job *job, const layered_pack *made)
 static int settle(layers_job *job, layered_pack *made)
 {
   const double start = program_seconds();
-  packing_dem_advice advice;
-  packing_dem_advice_init(&advice);
+  const layers_options *o = job->asked;
+  const int rest = o->end == LAYER_END_REST;
+  layer *here = &made->layers[made->count - 1];
+  settling_layer user = {job, made};
+  settled_state end = {0, 0};
   int code = wake(job, made);
   if (code)
     return code;
-  double dt = job->asked->dt;
-  if (dt == 0 && packing_dem_advise(made->dem, &advice) == PACKING_OK)
-    dt = advice.advised;
-  const pace p = choose_pace(job, made, dt);
-  code = step(job, made, &p);
+  const settling s = {.forces = &job->forces,
+                      .dem = made->dem,
+                      .particles = packing_particles_count(made->particles),
+                      .moved = &made->moved,
+                      .fall = o->layer_height,
+                      .look = o->layer_time,
+                      .time_max = rest ? o->layer_time_max : o->layer_time,
+                      .rest = rest,
+                      .tolerance = o->rest_tolerance,
+                      .show = show_settling,
+                      .user = &user};
+  code = settling_run(&s, &end);
+  here->time = end.time;
+  here->rested = end.rested;
   made->report.time_settle += program_seconds() - start;
   if (!code)
     remark_capped(job, made);

@@ -12,7 +12,7 @@
  *  along their own line (upright in box, rectangle, cylinder, tube and silo, along the cone in
  *  a cone), and distances are those to the walls so continued. */
 
-#include <packing/types.h>
+#include <packing/mesh.h>
 
 PACKING_BEGIN_DECLS
 
@@ -359,6 +359,37 @@ PACKING_API PACKING_WARN_UNUSED packing_status packing_domain_create_custom(
     packing_context *context, const packing_domain_custom_def *def,
     packing_domain **domain);
 
+/** Options of packing_domain_create_mesh(). */
+typedef struct packing_domain_mesh_def {
+  size_t struct_size; /**< set by packing_domain_mesh_def_init() */
+  packing_mesh *mesh; /**< the walls; the domain takes a hold of its own */
+} packing_domain_mesh_def;
+
+/** Writes the defaults; called through packing_domain_mesh_def_init().
+ *  \param[out] def the options
+ *  \param size `sizeof *def` as the caller knows it */
+PACKING_API void packing_domain_mesh_def_fill(packing_domain_mesh_def *def, size_t size);
+
+/** Sets every option to its default.
+ *  \param[out] def the options */
+static inline void packing_domain_mesh_def_init(packing_domain_mesh_def *def)
+{
+  packing_domain_mesh_def_fill(def, sizeof *def);
+}
+
+/** Makes the inside of a closed surface. Its distance is exact, that of points far outside too; a
+ *  query takes O(log N) time. Its volume is exact; that of an inset comes by subdivision, to 1e-4
+ *  where some 5e5 distances are enough for that, to 1e-2 at the worst.
+ *  \param context NULL is fine; its threads share the check
+ *  \param def options; the mesh has no default
+ *  \param[out] domain the container
+ *  \return PACKING_OK; PACKING_ERR_GEOMETRY (packing_mesh_check() finds a defect: the message says
+ *          which, how many and where); PACKING_ERR_INVALID (NULL); PACKING_ERR_RANGE;
+ *          PACKING_ERR_NOMEM; PACKING_ERR_ABI */
+PACKING_API PACKING_WARN_UNUSED packing_status
+packing_domain_create_mesh(packing_context *context, const packing_domain_mesh_def *def,
+                           packing_domain **domain);
+
 /** Makes the part of a domain at least `distance` from every wall (an open top is none): the
  *  same kind of container, smaller. Inside it distances to the walls are those of the domain
  *  less `distance`. Faces may vanish. A distance of 0 gives the domain itself.
@@ -368,7 +399,7 @@ PACKING_API PACKING_WARN_UNUSED packing_status packing_domain_create_custom(
  *  \param[out] inset the smaller container
  *  \return PACKING_OK; PACKING_ERR_GEOMETRY (nothing with a volume is left);
  *          PACKING_ERR_INVALID; PACKING_ERR_RANGE (a negative distance; custom: the volume left
- *          misses volume_tolerance); PACKING_ERR_NOMEM */
+ *          misses volume_tolerance; mesh: too little is left to tell its volume); PACKING_ERR_NOMEM */
 PACKING_API PACKING_WARN_UNUSED packing_status
 packing_domain_create_inset(packing_context *context, packing_domain *domain,
                             double distance, packing_domain **inset);

@@ -8,6 +8,7 @@
  *  leaves the store empty; nothing is repaired. */
 
 #include <packing/io.h>
+#include <packing/mesh.h>
 
 PACKING_BEGIN_DECLS
 
@@ -142,6 +143,69 @@ PACKING_API const char *packing_read_format_about(const char *format);
  *  \param path a file name
  *  \return a constant string, NULL where the extension is that of no format. Thread-safe. */
 PACKING_API const char *packing_read_format_of(const char *path);
+
+/** Formats of meshes. */
+typedef enum packing_mesh_format {
+  PACKING_MESH_FORMAT_AUTO = 0,   /**< what the content looks like */
+  PACKING_MESH_FORMAT_STL_TEXT,   /**< STL, text */
+  PACKING_MESH_FORMAT_STL_BINARY, /**< STL, binary, least byte first */
+  PACKING_MESH_FORMAT_OBJ,        /**< Wavefront OBJ */
+  PACKING_MESH_FORMAT_PLY /**< PLY 1.0: ascii, binary_little_endian, binary_big_endian */
+} packing_mesh_format;
+
+/** Options of packing_read_mesh(). */
+typedef struct packing_read_mesh_def {
+  size_t struct_size;         /**< set by packing_read_mesh_def_init() */
+  packing_mesh_format format; /**< default: by content */
+  double merge;               /**< see packing_mesh_def; default 0: same place only */
+  double scale;               /**< see packing_mesh_def; default 1 */
+  packing_vec3 shift;         /**< see packing_mesh_def; default 0 [L] */
+} packing_read_mesh_def;
+
+/** Writes the defaults; called through packing_read_mesh_def_init().
+ *  \param[out] def the options
+ *  \param size `sizeof *def` as the caller knows it */
+PACKING_API void packing_read_mesh_def_fill(packing_read_mesh_def *def, size_t size);
+
+/** Sets every option to its default.
+ *  \param[out] def the options */
+static inline void packing_read_mesh_def_init(packing_read_mesh_def *def)
+{
+  packing_read_mesh_def_fill(def, sizeof *def);
+}
+
+/** Reads a mesh, as it stands in the file: packing_mesh_check() says whether it is sound.
+ *
+ *  | format | what | passed over |
+ *  | --- | --- | --- |
+ *  | STL | facets; several solids are one mesh | normals, names, attributes, colours |
+ *  | OBJ | `v`, `f` with positive or negative indices | `vt`, `vn`, groups, materials, lines, weights |
+ *  | PLY | elements `vertex` (x, y, z of any type) and `face` (vertex_indices or vertex_index) | other properties and elements |
+ *
+ *  Faces of more than three corners are cut into triangles from their first corner on, so they
+ *  must be convex and flat; packing_mesh_check() finds those that are not where it matters.
+ *  \param context NULL is fine
+ *  \param def options, or NULL for the defaults
+ *  \param stream where from
+ *  \param[out] mesh the mesh
+ *  \return PACKING_OK; PACKING_ERR_FORMAT (message and log name the line, or the byte);
+ *          PACKING_ERR_UNSUPPORTED (OBJ curves and surfaces); PACKING_ERR_RANGE (more than 2^28
+ *          triangles or vertices); what the stream and packing_mesh_create() return;
+ *          PACKING_ERR_NOMEM; PACKING_ERR_ABI. Linear time; memory goes with what was read, not
+ *          with what the file claims */
+PACKING_API PACKING_WARN_UNUSED packing_status
+packing_read_mesh(packing_context *context, const packing_read_mesh_def *def,
+                  const packing_stream *stream, packing_mesh **mesh);
+
+/** The same from a file.
+ *  \param context NULL is fine
+ *  \param def options, or NULL for the defaults
+ *  \param path the file
+ *  \param[out] mesh the mesh
+ *  \return as packing_read_mesh(); PACKING_ERR_IO */
+PACKING_API PACKING_WARN_UNUSED packing_status
+packing_read_mesh_file(packing_context *context, const packing_read_mesh_def *def,
+                       const char *path, packing_mesh **mesh);
 
 PACKING_END_DECLS
 

@@ -3,8 +3,8 @@
  *
  * Boxes in boxes, two balls, a ball and a cylinder have closed forms (cut_planes.c, lens.c,
  * ball_cylinder.c): some tenths of a microsecond. Where curved walls of both cut, or a round cell
- * a box, the volume comes from slices (cut_slices.c). A custom container takes the cell's wall
- * for one more wall of its own (subdivide.c). */
+ * a box, the volume comes from slices (cut_slices.c). A custom container or a mesh takes the
+ * cell's wall for one more wall of its own (subdivide.c). */
 #include "cut_internal.h"
 #include <float.h>
 
@@ -64,7 +64,7 @@ static int side_of_cell(const packing_i_cut_job *j)
   return d >= j->cell->radius + j->r ? -1 : d <= j->cell->radius - j->r;
 }
 
-/* A custom container with the cell's wall. */
+/* A custom container or a mesh with the cell's wall. */
 typedef struct both {
   const packing_i_domain_body *body;
   const packing_i_cell *cell;

@@ -34,6 +34,8 @@ typedef struct packing_i_domain_ops {
                  packing_vec3 *normal);
   /* signed_distance >= r, the cheap way; NULL: no cheaper way. */
   int (*holds)(const packing_i_domain_body *body, const packing_vec3 *centre, double r);
+  /* packing_i_domain_clear(); NULL: no cheaper way than the distance. */
+  int (*clear)(const packing_i_domain_body *body, const packing_vec3 *point, double r);
   /* packing_i_domain_near_walls(). */
   int (*near_walls)(const packing_i_domain_body *body, const packing_vec3 *point,
                     double reach, packing_i_near_wall near[PACKING_I_NEAR_WALLS]);
@@ -107,6 +109,13 @@ typedef struct packing_i_combination {
   packing_domain *root; /* of an inset: the domain that owns the data; else NULL */
 } packing_i_combination;
 
+/* The inside of a mesh; its surface stands in mesh/surface_internal.h. */
+typedef struct packing_i_meshed {
+  struct packing_i_surface *surface;
+  double inset;         /* taken off the distance */
+  packing_domain *root; /* of an inset: the domain that owns the surface; else NULL */
+} packing_i_meshed;
+
 struct packing_i_domain_body {
   const packing_i_domain_ops *ops;
   int dim;
@@ -123,6 +132,7 @@ struct packing_i_domain_body {
     packing_i_custom custom;
     packing_i_polygon polygon;
     packing_i_combination combination;
+    packing_i_meshed mesh;
   } as;
 };
 
@@ -142,12 +152,16 @@ int packing_i_domain_axis(const packing_domain *domain);
 /* A sphere, circle or annulus, else NULL. */
 const packing_i_round *packing_i_domain_round(const packing_domain *domain);
 
+/* The mesh that a container is the inside of, else NULL (also for its insets). */
+const packing_mesh *packing_i_domain_mesh(const packing_domain *domain);
+
 /* Radii of the slice of a body of revolution at a height within the region. */
 double packing_i_revolution_outer(const packing_i_revolution *p, double h);
 double packing_i_revolution_inner(const packing_i_revolution *p, double h);
 
 /* The walls whose distance from a point inside (or a little outside) is less than reach, each
- * once, in the order of their numbers; returns how many. Every wall is taken as far as its
+ * once, in the order of their numbers
+ * (of meshes, polygons and combinations nearest first); returns how many. Every wall is taken as far as its
  * surface goes on, which in the built-in containers makes a difference only outside: there the
  * distance is negative and the normal still shows into the container.
  *
@@ -160,12 +174,28 @@ double packing_i_revolution_inner(const packing_i_revolution *p, double h);
  * more than PACKING_I_NEAR_WALLS walls of polygons and combinations the nearest are given, nearest
  * first. A number stays that of its wall wherever the point is. On the axis or in the centre of a
  * round wall, which is equally near all around, one direction stands for all. Thread-safe,
- * constant time. */
+ * constant time.
+ *
+ * The walls of a mesh are faces (triangles in one plane are one), edges and vertices: those where
+ * the distance from the point has a local minimum over the surface, seen from the side that the
+ * point is on, nearest first. Nothing goes on beyond an edge. `normal` leads from the nearest point of the feature to the point, into the container.
+ * Of a point outside with none in reach the nearest is told. Cost: the triangles in reach. */
 static inline int
 packing_i_domain_near_walls(const packing_domain *domain, const packing_vec3 *point,
                             double reach, packing_i_near_wall near[PACKING_I_NEAR_WALLS])
 {
   return domain->body.ops->near_walls(&domain->body, point, reach, near);
+}
+
+/* 1 only if a point is certainly at least r from all walls; of a mesh a point deep inside is told
+ * in constant time, and 0 may stand for "not known without more work". */
+static inline int packing_i_domain_clear(const packing_domain *domain,
+                                         const packing_vec3 *point, double r)
+{
+  const packing_i_domain_ops *ops = domain->body.ops;
+  if (ops->clear != NULL)
+    return ops->clear(&domain->body, point, r);
+  return ops->signed_distance(&domain->body, point, NULL) >= r;
 }
 
 /* Whether a ball lies wholly inside: at least r from the walls and below an open top. */

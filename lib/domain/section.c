@@ -174,7 +174,7 @@ static double sum_of_chords(const chords *c, const double lo[2], const double hi
   return sum;
 }
 
-/* A custom container seen in the plane. */
+/* A custom container or a mesh seen in the plane. */
 typedef struct flat {
   const packing_i_domain_body *body;
   const packing_i_plane *plane;

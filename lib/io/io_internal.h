@@ -147,6 +147,12 @@ void packing_i_lines_end(packing_i_lines *lines);
  * the first line is skipped. */
 packing_status packing_i_lines_next(packing_i_lines *lines, const char **at,
                                     const char **end);
+/* Shows up to `count` unread bytes (at most 64 KiB less one), or more; fewer only at the end. */
+packing_status packing_i_lines_peek(packing_i_lines *lines, size_t count, const char **at,
+                                    size_t *seen);
+/* Takes `count` bytes where no text is; fewer only at the end. */
+packing_status packing_i_lines_bytes(packing_i_lines *lines, void *out, size_t count,
+                                     size_t *taken);
 /* Notes "line N: ..." as PACKING_ERR_FORMAT, or another status. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))

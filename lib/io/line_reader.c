@@ -173,3 +173,31 @@ packing_status packing_i_lines_next(packing_i_lines *lines, const char **at,
                          (lines->skip_blank && is_blank(*at, *end))));
   return PACKING_OK;
 }
+
+packing_status packing_i_lines_peek(packing_i_lines *lines, size_t count, const char **at,
+                                    size_t *seen)
+{
+  while (!lines->ended && lines->end - lines->begin < count)
+    PACKING_I_TRY(fill(lines));
+  *at = lines->buffer + lines->begin;
+  *seen = lines->end - lines->begin;
+  return PACKING_OK;
+}
+
+packing_status packing_i_lines_bytes(packing_i_lines *lines, void *out, size_t count,
+                                     size_t *taken)
+{
+  const char *at;
+  size_t seen;
+  for (*taken = 0; *taken < count;) {
+    PACKING_I_TRY(packing_i_lines_peek(lines, 1, &at, &seen));
+    if (seen == 0)
+      break;
+    const size_t n = seen < count - *taken ? seen : count - *taken;
+    memcpy((char *)out + *taken, at, n);
+    *taken += n;
+    lines->begin += n;
+    lines->seen = lines->begin;
+  }
+  return PACKING_OK;
+}

@@ -4,7 +4,7 @@
  * where the wall is an outer one, the corners stand at rho / cos(pi / n), so that the flat pieces
  * touch the round wall from behind; at an inner wall they stand at rho. A sphere's profile is a
  * polygon round the half circle for the same reason. Corners are computed from (ring, step) alone,
- * so that neighbours share them to the last bit. Pieces longer than 32 widths are cut: mesh readers
+ * so that neighbours share them to the last bit. A mesh is its own triangles. Pieces longer than 32 widths are cut: mesh readers
  * refuse needles. */
 #include "domain/domain_internal.h"
 #include "writers_internal.h"
@@ -27,7 +27,7 @@ typedef struct turn {
 static int is_custom(const packing_domain *domain)
 {
   return packing_i_domain_planar(domain) == NULL && packing_i_domain_axis(domain) < 0 &&
-         packing_i_domain_round(domain) == NULL;
+         packing_i_domain_round(domain) == NULL && packing_i_domain_mesh(domain) == NULL;
 }
 
 static int is_periodic_everywhere(const packing_domain *domain)
@@ -188,6 +188,22 @@ static void visit_box(const turn *t, const packing_domain *domain,
   }
 }
 
+static void visit_mesh(const turn *t, const packing_mesh *mesh)
+{
+  packing_mesh_view v;
+  packing_mesh_view_init(&v);
+  if (packing_mesh_arrays(NULL, mesh, &v) != PACKING_OK)
+    return;
+  for (size_t i = 0; i < v.triangle_count; i++) {
+    packing_vec3 at[3];
+    for (size_t k = 0; k < 3; k++) {
+      const double *x = &v.vertices[3 * (size_t)v.triangles[3 * i + k]];
+      at[k] = packing_i_vec(x[0], x[1], x[2]);
+    }
+    t->visit(t->user, at);
+  }
+}
+
 void packing_i_mesh_visit(const packing_domain *domain, unsigned facets,
                           packing_i_triangle_function visit, void *user)
 {
@@ -195,6 +211,8 @@ void packing_i_mesh_visit(const packing_domain *domain, unsigned facets,
   const packing_i_planar *planar = packing_i_domain_planar(domain);
   if (planar != NULL)
     visit_box(&t, domain, planar);
+  else if (packing_i_domain_mesh(domain) != NULL)
+    visit_mesh(&t, packing_i_domain_mesh(domain));
   else if (packing_i_domain_axis(domain) >= 0)
     visit_revolution(&t, &domain->body.as.revolution);
   else

@@ -2,9 +2,10 @@
 #ifndef PACKING_MEASURE_INTERNAL_H
 #define PACKING_MEASURE_INTERNAL_H
 
-/* What the measures share: checks of views, blocks, sums that keep what rounding drops. */
+/* What the measures share: checks of views, blocks. */
 
 #include "domain/domain_internal.h"
+#include "sum.h"
 #include <math.h>
 #include <packing/measure.h>
 
@@ -20,25 +21,6 @@ static inline size_t packing_i_measure_block_end(size_t block, size_t count)
   const size_t first = block * PACKING_I_MEASURE_BLOCK;
   return count - first < PACKING_I_MEASURE_BLOCK ? count
                                                  : first + PACKING_I_MEASURE_BLOCK;
-}
-
-/* A sum and what rounding left out of it (A. Neumaier, Z. Angew. Math. Mech. 54, 1974, p. 39).
- * Added in a fixed order it is the same for any number of threads. */
-typedef struct packing_i_sum {
-  double sum;
-  double rest;
-} packing_i_sum;
-
-static inline void packing_i_sum_add(packing_i_sum *s, double v)
-{
-  const double t = s->sum + v;
-  s->rest += fabs(s->sum) >= fabs(v) ? (s->sum - t) + v : (v - t) + s->sum;
-  s->sum = t;
-}
-
-static inline double packing_i_sum_value(const packing_i_sum *s)
-{
-  return s->sum + s->rest;
 }
 
 /* Whether a ball is away from the walls of a box or rectangle (most particles are); always 0 for

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "place_index.h"
 
+/* More cells than this along an axis need not be told apart: a coordinate cannot do it. */
+static const double MOST_ALONG = 0x1p50;
+
 void packing_i_index_init(packing_i_index *index, packing_context *context,
                           const packing_domain *domain, double top_r, size_t expected)
 {
@@ -42,42 +45,48 @@ static double cells_along(double width, double edge)
   return n < 1 ? 1 : n;
 }
 
+/* Halves the longest axis until the cells are few enough; those that are left are shared. */
+static void limit_cells(double most, double n[3])
+{
+  while (n[0] * n[1] * n[2] > most) {
+    const int longest = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
+    n[longest] = ceil(0.5 * n[longest]);
+  }
+}
+
 /* Sets up the cells of a level when its first particle comes. */
 static packing_status level_start(packing_i_index *index, int l)
 {
   packing_i_index_level *level = &index->level[l];
   const size_t expected = index->expected > index->count ? index->expected : index->count;
-  const double most = 8.0 * (double)expected + 4096.0;
+  const double edge = ldexp(2 * index->top_r, -l);
   const double w[3] = {index->width.x, index->width.y, index->width.z};
-  double n[3], edge = ldexp(2 * index->top_r, -l);
-  for (;; edge *= 1.25) {
-    for (int axis = 0; axis < 3; axis++)
-      n[axis] = cells_along(w[axis], edge);
-    if (n[0] * n[1] * n[2] <= most)
-      break;
+  double n[3], per[3];
+  for (int axis = 0; axis < 3; axis++) {
+    n[axis] = fmin(cells_along(w[axis], edge), MOST_ALONG);
+    level->whole[axis] = (size_t)n[axis];
+    per[axis] = w[axis] > 0 ? n[axis] / w[axis] : 0;
   }
+  limit_cells(8.0 * (double)expected + 4096.0, n);
   uint32_t *head = packing_i_calloc(packing_i_allocator(index->context),
                                     (size_t)(n[0] * n[1] * n[2]), sizeof *head);
   if (head == NULL)
     return packing_i_nomem(index->context);
-  double per[3];
-  for (int axis = 0; axis < 3; axis++) {
+  for (int axis = 0; axis < 3; axis++)
     level->n[axis] = (size_t)n[axis];
-    per[axis] = w[axis] > 0 ? n[axis] / w[axis] : 0;
-  }
   level->per_edge = packing_i_vec(per[0], per[1], per[2]);
   level->head = head;
   return PACKING_OK;
 }
 
-packing_status packing_i_index_reserve(packing_i_index *index, double r)
+packing_status packing_i_index_reserve(packing_i_index *index, size_t more, double r)
 {
   const int l = level_of(index, r);
   if (index->level[l].head == NULL)
     PACKING_I_TRY(level_start(index, l));
-  if (index->count < index->capacity)
+  if (more <= index->capacity - index->count)
     return PACKING_OK;
-  size_t grown = index->capacity + index->capacity / 2 + 256;
+  size_t grown = index->capacity + index->capacity / 2 + more + 255;
   if (grown < index->expected)
     grown = index->expected; /* at once: growing copies all that is there */
   if (grown > UINT32_MAX - 1)
@@ -93,26 +102,62 @@ packing_status packing_i_index_reserve(packing_i_index *index, double r)
 }
 
 /* The cell of a coordinate, the nearest for those outside. */
-static size_t cell_along(double x, double lo, double per_edge, size_t n)
+static size_t cell_along(double x, double lo, double per_edge, size_t whole)
 {
   const double at = (x - lo) * per_edge;
   if (!(at > 0))
     return 0;
-  return at < (double)n ? (size_t)at : n - 1;
+  return at < (double)whole ? (size_t)at : whole - 1;
+}
+
+/* The same, as one of those held. */
+static size_t held_along(double x, double lo, double per_edge, size_t whole, size_t n)
+{
+  const size_t cell = cell_along(x, lo, per_edge, whole);
+  return cell < n ? cell : cell % n;
 }
 
 void packing_i_index_insert(packing_i_index *index, packing_vec3 p, double r)
 {
   packing_i_index_level *level = &index->level[level_of(index, r)];
-  const size_t ix = cell_along(p.x, index->lo.x, level->per_edge.x, level->n[0]);
-  const size_t iy = cell_along(p.y, index->lo.y, level->per_edge.y, level->n[1]);
-  const size_t iz = cell_along(p.z, index->lo.z, level->per_edge.z, level->n[2]);
-  uint32_t *head = &level->head[(iz * level->n[1] + iy) * level->n[0] + ix];
+  const size_t *whole = level->whole, *n = level->n;
+  const size_t ix = held_along(p.x, index->lo.x, level->per_edge.x, whole[0], n[0]);
+  const size_t iy = held_along(p.y, index->lo.y, level->per_edge.y, whole[1], n[1]);
+  const size_t iz = held_along(p.z, index->lo.z, level->per_edge.z, whole[2], n[2]);
+  uint32_t *head = &level->head[(iz * n[1] + iy) * n[0] + ix];
   index->entry[index->count] = (packing_i_index_entry){p.x, p.y, p.z, r, *head};
   *head = (uint32_t)++index->count;
   level->count++;
   if (r > level->largest_r)
     level->largest_r = r;
+}
+
+/* The cells of a level that a ball may meet: the first along each axis, and how many from there,
+ * round the torus. */
+typedef struct span {
+  size_t first[3], count[3];
+} span;
+
+static span level_span(const packing_i_index *index, const packing_i_index_level *level,
+                       packing_vec3 p, double reach)
+{
+  const double at[3] = {p.x, p.y, p.z}, lo[3] = {index->lo.x, index->lo.y, index->lo.z};
+  const double per[3] = {level->per_edge.x, level->per_edge.y, level->per_edge.z};
+  span s;
+  for (int axis = 0; axis < 3; axis++) {
+    const size_t whole = level->whole[axis], n = level->n[axis];
+    const size_t from = cell_along(at[axis] - reach, lo[axis], per[axis], whole);
+    const size_t to = cell_along(at[axis] + reach, lo[axis], per[axis], whole);
+    s.first[axis] = from < n ? from : from % n;
+    s.count[axis] = to - from < n ? to - from + 1 : n;
+  }
+  return s;
+}
+
+/* The next cell round the torus. */
+static size_t next_along(size_t i, size_t n)
+{
+  return i + 1 < n ? i + 1 : 0;
 }
 
 static int chain_free(const packing_i_index *index, uint32_t at, packing_vec3 p, double r)
@@ -127,38 +172,55 @@ static int chain_free(const packing_i_index *index, uint32_t at, packing_vec3 p,
   return 1;
 }
 
-/* The images of a coordinate along one axis that can be within reach of the bounds. */
-static int images(double x, double lo, double width, double period, double reach,
-                  double out[3])
-{
-  int count = 0;
-  out[count++] = x;
-  if (period > 0 && x - lo < reach)
-    out[count++] = x + period;
-  if (period > 0 && lo + width - x < reach)
-    out[count++] = x - period;
-  return count;
-}
-
 static int level_free(const packing_i_index *index, const packing_i_index_level *level,
                       packing_vec3 p, double r)
 {
-  const double reach = r + level->largest_r;
-  size_t from[3], to[3];
-  const double at[3] = {p.x, p.y, p.z}, lo[3] = {index->lo.x, index->lo.y, index->lo.z};
-  const double per[3] = {level->per_edge.x, level->per_edge.y, level->per_edge.z};
-  for (int axis = 0; axis < 3; axis++) {
-    from[axis] = cell_along(at[axis] - reach, lo[axis], per[axis], level->n[axis]);
-    to[axis] = cell_along(at[axis] + reach, lo[axis], per[axis], level->n[axis]);
-  }
-  for (size_t k = from[2]; k <= to[2]; k++)
-    for (size_t j = from[1]; j <= to[1]; j++) {
-      const uint32_t *head = &level->head[(k * level->n[1] + j) * level->n[0]];
-      for (size_t i = from[0]; i <= to[0]; i++)
-        if (!chain_free(index, head[i], p, r))
+  const span s = level_span(index, level, p, r + level->largest_r);
+  const size_t *n = level->n;
+  size_t z = s.first[2];
+  for (size_t k = 0; k < s.count[2]; k++, z = next_along(z, n[2])) {
+    size_t y = s.first[1];
+    for (size_t j = 0; j < s.count[1]; j++, y = next_along(y, n[1])) {
+      const uint32_t *head = &level->head[(z * n[1] + y) * n[0]];
+      size_t x = s.first[0];
+      for (size_t i = 0; i < s.count[0]; i++, x = next_along(x, n[0]))
+        if (!chain_free(index, head[x], p, r))
           return 0;
     }
+  }
   return 1;
+}
+
+/* The images of a point that may lie within reach of the bounds: along each axis a period apart,
+ * from number `first` on. */
+typedef struct image_span {
+  double first[3];
+  int count[3];
+} image_span;
+
+static image_span images_within(const packing_i_index *index, packing_vec3 p,
+                                double reach)
+{
+  const double at[3] = {p.x, p.y, p.z}, lo[3] = {index->lo.x, index->lo.y, index->lo.z};
+  const double width[3] = {index->width.x, index->width.y, index->width.z};
+  const double period[3] = {index->period.x, index->period.y, index->period.z};
+  image_span s = {{0, 0, 0}, {1, 1, 1}};
+  for (int axis = 0; axis < 3; axis++)
+    if (period[axis] > 0) {
+      const double below = at[axis] - lo[axis];
+      s.first[axis] = ceil((-reach - below) / period[axis]);
+      const double last = floor((width[axis] + reach - below) / period[axis]);
+      s.count[axis] = (int)(last - s.first[axis]) + 1;
+    }
+  return s;
+}
+
+static packing_vec3 image_of(const packing_i_index *index, const image_span *s,
+                             packing_vec3 p, int i, int j, int k)
+{
+  return packing_i_vec(p.x + (s->first[0] + i) * index->period.x,
+                       p.y + (s->first[1] + j) * index->period.y,
+                       p.z + (s->first[2] + k) * index->period.z);
 }
 
 int packing_i_index_free(const packing_i_index *index, packing_vec3 p, double r)
@@ -167,18 +229,77 @@ int packing_i_index_free(const packing_i_index *index, packing_vec3 p, double r)
     const packing_i_index_level *level = &index->level[l];
     if (level->count == 0)
       continue;
-    const double reach = r + level->largest_r;
-    double x[3], y[3], z[3];
-    const int nx = images(p.x, index->lo.x, index->width.x, index->period.x, reach, x);
-    const int ny = images(p.y, index->lo.y, index->width.y, index->period.y, reach, y);
-    const int nz = images(p.z, index->lo.z, index->width.z, index->period.z, reach, z);
-    for (int k = 0; k < nz; k++)
-      for (int j = 0; j < ny; j++)
-        for (int i = 0; i < nx; i++)
-          if (!level_free(index, level, packing_i_vec(x[i], y[j], z[k]), r))
+    const image_span s = images_within(index, p, r + level->largest_r);
+    for (int k = 0; k < s.count[2]; k++)
+      for (int j = 0; j < s.count[1]; j++)
+        for (int i = 0; i < s.count[0]; i++)
+          if (!level_free(index, level, image_of(index, &s, p, i, j, k), r))
             return 0;
   }
   return 1;
+}
+
+static packing_status chain_near(const packing_i_index *index, uint32_t at,
+                                 packing_vec3 p, double distance,
+                                 packing_i_index_images *images)
+{
+  while (at != 0) {
+    const packing_i_index_entry *q = &index->entry[at - 1];
+    const packing_vec3 d = packing_i_vec(q->x - p.x, q->y - p.y, q->z - p.z);
+    const double reach = q->r + distance;
+    if (packing_i_dot(d, d) < reach * reach) {
+      if (images->count == images->capacity) {
+        const size_t grown = images->capacity + images->capacity / 2 + 64;
+        packing_i_index_image *list =
+            packing_i_regrow(packing_i_allocator(index->context), images->at,
+                             images->count, grown, sizeof *list);
+        if (list == NULL)
+          return packing_i_nomem(index->context);
+        images->at = list;
+        images->capacity = grown;
+      }
+      images->at[images->count++] = (packing_i_index_image){d, q->r, at - 1};
+    }
+    at = q->next;
+  }
+  return PACKING_OK;
+}
+
+static packing_status level_near(const packing_i_index *index,
+                                 const packing_i_index_level *level, packing_vec3 p,
+                                 double distance, packing_i_index_images *images)
+{
+  const span s = level_span(index, level, p, distance + level->largest_r);
+  const size_t *n = level->n;
+  size_t z = s.first[2];
+  for (size_t k = 0; k < s.count[2]; k++, z = next_along(z, n[2])) {
+    size_t y = s.first[1];
+    for (size_t j = 0; j < s.count[1]; j++, y = next_along(y, n[1])) {
+      const uint32_t *head = &level->head[(z * n[1] + y) * n[0]];
+      size_t x = s.first[0];
+      for (size_t i = 0; i < s.count[0]; i++, x = next_along(x, n[0]))
+        PACKING_I_TRY(chain_near(index, head[x], p, distance, images));
+    }
+  }
+  return PACKING_OK;
+}
+
+packing_status packing_i_index_near(const packing_i_index *index, packing_vec3 p,
+                                    double distance, packing_i_index_images *images)
+{
+  images->count = 0;
+  for (int l = 0; l < PACKING_I_INDEX_LEVELS; l++) {
+    const packing_i_index_level *level = &index->level[l];
+    if (level->count == 0)
+      continue;
+    const image_span s = images_within(index, p, distance + level->largest_r);
+    for (int k = 0; k < s.count[2]; k++)
+      for (int j = 0; j < s.count[1]; j++)
+        for (int i = 0; i < s.count[0]; i++)
+          PACKING_I_TRY(level_near(index, level, image_of(index, &s, p, i, j, k),
+                                   distance, images));
+  }
+  return PACKING_OK;
 }
 
 packing_status packing_i_index_add_store(packing_i_index *index,
@@ -188,7 +309,7 @@ packing_status packing_i_index_add_store(packing_i_index *index,
   for (size_t i = 0; i < store->count; i++) {
     packing_vec3 p = {store->x[i], store->y[i], store->z[i]};
     packing_domain_wrap(domain, &p);
-    PACKING_I_TRY(packing_i_index_reserve(index, store->r[i]));
+    PACKING_I_TRY(packing_i_index_reserve(index, 1, store->r[i]));
     packing_i_index_insert(index, p, store->r[i]);
   }
   return PACKING_OK;

@@ -48,12 +48,17 @@ packing_status packing_i_placer_create(packing_context *context,
                                        packing_particles *particles,
                                        packing_placer **placer);
 
-/* The largest particle must have room for its centre, and not meet its own image:
- * PACKING_ERR_GEOMETRY. */
+/* A particle of radius r, or the largest, must have room for its centre, and not meet its own
+ * image: PACKING_ERR_GEOMETRY. */
+packing_status packing_i_placer_check_room_of(const packing_placer *placer, double r);
 packing_status packing_i_placer_check_room(const packing_placer *placer);
 
 /* Adds a particle to the store and the tally. */
 packing_status packing_i_placer_put(packing_placer *placer, packing_vec3 centre, double r,
                                     size_t component);
+
+/* The same of a particle that is no ball: its volume is told. */
+packing_status packing_i_placer_put_body(packing_placer *placer, packing_vec3 centre,
+                                         double r, size_t component, double volume);
 
 #endif

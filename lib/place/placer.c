@@ -48,9 +48,8 @@ packing_status packing_i_placer_create(packing_context *context,
   return PACKING_OK;
 }
 
-packing_status packing_i_placer_check_room(const packing_placer *placer)
+packing_status packing_i_placer_check_room_of(const packing_placer *placer, double r)
 {
-  const double r = packing_psd_max_r(placer->psd);
   const unsigned periodic = packing_domain_periodic(placer->domain);
   packing_bounds b;
   packing_domain_bounds(placer->domain, &b);
@@ -74,17 +73,29 @@ packing_status packing_i_placer_check_room(const packing_placer *placer)
                         "a particle of radius %.12g does not fit into the container", r);
 }
 
-packing_status packing_i_placer_put(packing_placer *placer, packing_vec3 centre, double r,
-                                    size_t component)
+packing_status packing_i_placer_check_room(const packing_placer *placer)
+{
+  return packing_i_placer_check_room_of(placer, packing_psd_max_r(placer->psd));
+}
+
+packing_status packing_i_placer_put_body(packing_placer *placer, packing_vec3 centre,
+                                         double r, size_t component, double volume)
 {
   packing_particles *store = placer->particles;
   PACKING_I_TRY(packing_i_particles_push(store, centre.x, centre.y, centre.z, r));
   if (store->component != NULL)
     store->component[store->count - 1] = (int32_t)component;
   placer->tally.placed++;
-  placer->tally.solid_volume += packing_i_ball_volume(store->dim, r);
+  placer->tally.solid_volume += volume;
   placer->tally.volume_fraction = placer->tally.solid_volume / placer->domain_volume;
   return PACKING_OK;
+}
+
+packing_status packing_i_placer_put(packing_placer *placer, packing_vec3 centre, double r,
+                                    size_t component)
+{
+  return packing_i_placer_put_body(placer, centre, r, component,
+                                   packing_i_ball_volume(placer->particles->dim, r));
 }
 
 packing_status packing_placer_step(packing_placer *placer, size_t budget,

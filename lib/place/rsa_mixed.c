@@ -103,7 +103,7 @@ static packing_status throw_dart(packing_placer *placer, mixed *m)
   if (store->count == store->capacity)
     PACKING_I_TRY(
         packing_particles_reserve(store, store->count + store->count / 2 + 256));
-  PACKING_I_TRY(packing_i_index_reserve(&m->index, r));
+  PACKING_I_TRY(packing_i_index_reserve(&m->index, 1, r));
   const packing_vec3 p = draw_centre(placer, m, r);
   placer->tally.attempts++;
   if (packing_domain_holds(placer->domain, &p, r * (1 - packing_i_hold_slack)) &&

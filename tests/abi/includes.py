@@ -14,8 +14,9 @@ BELOW = {
     "math": {"base"},
     "rng": {"base", "math"},
     "psd": {"base", "math", "rng"},
-    "shape": {"base", "math"},
-    "domain": {"base", "math"},
+    "mesh": {"base", "math", "delaunay"},
+    "shape": {"base", "math", "domain"},
+    "domain": {"base", "math", "mesh"},
     "particles": {"base", "math"},
     "grid": {"base", "math", "domain", "particles"},
     "delaunay": {"base", "math"},
@@ -24,12 +25,13 @@ BELOW = {
     "dem": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid"},
     "measure": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid",
                 "delaunay"},
-    "io": {"base", "math", "rng", "psd", "shape", "domain", "particles", "grid"},
+    "io": {"base", "math", "rng", "psd", "shape", "mesh", "domain", "particles", "grid"},
 }
 # Public headers named otherwise than their module.
 MODULE_OF = {"types": "base", "placer": "place", "contacts": "measure", "order": "measure",
-             "pores": "measure", "porosity": "measure", "sizes": "measure", "solids": "domain", "readers": "io",
-             "writers": "io"}
+             "pores": "measure", "porosity": "measure", "sizes": "measure", "readers": "io",
+             "writers": "io", "front": "place", "loosen": "place", "tangency": "place",
+             "solids": "domain"}
 # What only some modules may use.
 RESERVED = {
     "gsl/": {"rng", "psd", "measure", "place"},

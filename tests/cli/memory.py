@@ -32,14 +32,22 @@ CONVERT = {
     "bonds": ["--in", "g.geo", "--renumber", "--replicate", "2,1,1"],
     "VTK": ["--in", "v.vtp", "--domain", "box:4,4,4"],
 }
+FRONT = {
+    "spheres": ["--domain", "box:4,4,4", "--psd", "0.5*mono:0.5+0.5*uniform:0.3,0.4",
+                "--in", "p.csv", "--grade", "mono:0.3@box:9,9,2", "--count", "20", "--quiet"],
+    "paper": ["--domain", "box:2,2,2", "--psd", "sample:s.txt", "--mode", "paper", "--loosen",
+              "remove", "--target-porosity", "0.95", "--trace", "trace.csv"],
+    "a list of discs": ["--domain", "circle:3", "--list", "l.csv", "--mode", "fast",
+                        "--settle", "gravity", "--settle-time", "0.05", "--quiet"],
+}
 MEASURE = {
     "spheres": ["--in", "p.csv", "--psd", "0.5*curve:c.csv+0.5*sample:s.txt", "--sieves",
                 "0.5,0.3", "--profile", "z,3", "--section", "z,2", "--normals", "6", "--rdf",
                 "1,5", "--tolerance", "0.5"],
     "discs": ["--in", "xyz:x.xyz", "--profile", "x,4", "--order", "nearest:2"],
 }
-PACKS = {"packing-cloud": CLOUD, "packing-convert": CONVERT, "packing-layers": LAYERS,
-         "packing-measure": MEASURE}[NAME]
+PACKS = {"packing-cloud": CLOUD, "packing-convert": CONVERT, "packing-front": FRONT,
+         "packing-layers": LAYERS, "packing-measure": MEASURE}[NAME]
 OUT = ["pack.csv", "pack.vtp", "pack.data", "pack.xyz", "yade:pack.txt"]
 if NAME == "packing-measure":
     OUT = [["--contacts", "contacts.csv"], ["--order-list", "order.csv"], ["--bonds", "0.5:bonds.csv"],
@@ -48,7 +56,7 @@ if NAME == "packing-measure":
 STEP = 3 if NAME == "packing-measure" else 1
 ROWS = "x,y,z,r\n1,1,1,0.2\n1.5,1,1,0.2\n1,1.5,1,0.3\n2,1,2,0.2\n1,1,1.5,0.3\n"
 INPUT = {"c.csv": "diameter,passing\n0.2,0\n0.4,1\n", "s.txt": "0.2\n0.3\n",
-         "r.txt": "0.02\n0.025\n", "p.csv": "# domain: box:4,4,4+periodic\n" + ROWS,
+         "r.txt": "0.02\n0.025\n", "l.csv": "radius,count\n0.5,9\n", "p.csv": "# domain: box:4,4,4+periodic\n" + ROWS,
          "x.xyz": '2\nLattice="4 0 0 0 4 0 0 0 1" Properties=species:S:1:pos:R:3:radius:R:1 '
                   'pbc="T T F"\nX 1 1 0 .5\nX 2 1 0 .5\n',
          "g.geo": "LSMGeometry 1.2\nBoundingBox 0 0 0 4 4 4\nPeriodicBoundaries 1 0 0\n"
@@ -80,7 +88,7 @@ def run(program, arguments, fail_at):
         result = folder.run(*arguments, *outs, "--threads", "1", "--report", "report.json",
                             env=dict(os.environ, LD_PRELOAD=MODULE, FAIL_AT=str(fail_at)))
         result.files = {name: folder.read(name) for name in result.files
-                        if name not in INPUT}
+                        if name not in INPUT and name != "trace.csv"}  # times
     if "report.json" in result.files:
         report = json.loads(result.files["report.json"])
         without_times(report)

@@ -49,7 +49,7 @@ static void index_finds_what_all_pairs_find(void **state)
       if (!is_free)
         continue;
       free_places++;
-      assert_ok(packing_i_index_reserve(&index, r));
+      assert_ok(packing_i_index_reserve(&index, 1, r));
       packing_i_index_insert(&index, p, r);
       assert_ok(packing_particles_add(store, p, r, NULL));
     }

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs packing-front and its sisters one after the other, for they are timed, and keeps what they
+made: a run that was made once is not made again."""
+import csv
+import datetime
+import hashlib
+import json
+import math
+import pathlib
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import time
+
+import numpy
+
+from making import runs
+
+HERE = pathlib.Path(__file__).resolve().parent.parent
+DATA = HERE / "data"
+
+
+STOPPED = 130
+
+
+class Pack:
+    """A finished run: its report, its folder, the command that makes it."""
+
+    def __init__(self, folder, options):
+        self.folder, self.options = folder, options
+        self.report = json.loads((folder / "report.json").read_text())
+        self.record = json.loads((folder / "done.json").read_text())
+
+    @property
+    def stopped(self):
+        """Whether it took too long and is a part of a pack."""
+        return self.record["exit"] == STOPPED
+
+    def __getitem__(self, key):
+        """A number by its dotted key, None where it is null."""
+        at = self.report
+        for word in key.split("."):
+            at = at[int(word)] if isinstance(at, list) else at[word]
+        return at
+
+    def command(self):
+        """As one would type it in the root of the source."""
+        words = [re.sub(r"^mesh:\S*/", "mesh:", word).replace(f"{HERE.parent.parent}/", "")
+                 for word in self.options]
+        return shlex.join(["packing-front", *words])
+
+    def rows(self, name="pack.csv"):
+        """Columns of a table by name; words become NaN."""
+        with open(self.folder / name, encoding="ascii") as file:
+            rows = csv.reader(line for line in file if not line.startswith("#"))
+            header = next(rows)
+            table = numpy.array([[value_of(word) for word in row] for row in rows])
+        return {name: table[:, k] for k, name in enumerate(header)}
+
+
+def value_of(word):
+    try:
+        return float(word)
+    except ValueError:
+        return math.nan
+
+
+class Maker:
+    def __init__(self, build, work, scale, limit):
+        self.programs = {name: str(pathlib.Path(build) / "examples" / name) for name in
+                         ("packing-front", "packing-measure", "packing-compare")}
+        self.library = runs.library_hash(self.programs["packing-front"])
+        self.work, self.scale, self.limit = pathlib.Path(work), scale, limit
+        self.work.mkdir(parents=True, exist_ok=True)
+        self.values = {}
+        self.fresh = True  # False: what is not there yet stays away
+        self.commands = []
+
+    # ---- sizes of trials ----
+
+    def length(self, full):
+        """A length such that volumes go with the scale."""
+        return full * self.scale ** (1 / 3)
+
+    def number(self, full, least=2):
+        return max(least, round(full * self.scale))
+
+    # ---- runs ----
+
+    def key(self, words, depends):
+        digest = hashlib.sha256("\0".join((self.library, *words)).encode())
+        for path in depends:
+            digest.update(pathlib.Path(path).read_bytes())
+        return digest.hexdigest()[:16]
+
+    def front(self, *options, threads=1, outs=(), depends=(), short=False):
+        """A pack. `outs` are files to keep, each (option, name). `short`: less than asked is fine
+        too."""
+        options = (*options, "--threads", str(threads))
+        words = list(options)
+        for option, name in outs:
+            words += [option, name]
+        folder = self.work / self.key(words, depends)
+        if not (folder / "done.json").exists():
+            self.make("packing-front", options, outs, folder, (0, 1) if short else (0,))
+        pack = Pack(folder, options)
+        self.commands.append(pack)
+        return pack
+
+    def measure(self, pack, *options, outs=()):
+        """What packing-measure says of a pack that was kept as pack.csv."""
+        asked = ("--in", str(pack.folder / "pack.csv"), *options)
+        words = [pack.folder.name, *options, *(word for out in outs for word in out)]
+        folder = self.work / self.key(["measure", *words], ())
+        if not (folder / "done.json").exists():
+            self.make("packing-measure", asked, outs, folder, (0,))
+        return Pack(folder, asked)
+
+    def make(self, program, options, outs, folder, good):
+        if not self.fresh:
+            raise NotThere
+        folder.mkdir(parents=True, exist_ok=True)
+        command = [self.programs[program], *options, "--quiet", "--report",
+                   str(folder / "report.json")]
+        for option, name in outs:
+            command += [option, str(folder / name)]
+        print("  " + shlex.join([program, *options]), file=sys.stderr, flush=True)
+        start = time.monotonic()
+        code, said = self.run(command)
+        seconds = time.monotonic() - start
+        if code not in (*good, STOPPED) or not (folder / "report.json").exists():
+            raise SystemExit(f"{shlex.join(command)}\nexit {code}\n{said}")
+        print(f"    {seconds:.1f} s {said.strip()}", file=sys.stderr, flush=True)
+        record = {"exit": code, "message": said, "seconds": seconds,
+                  "date": str(datetime.date.today())}
+        temporary = folder / "done.json.new"
+        temporary.write_text(json.dumps(record) + "\n")
+        temporary.rename(folder / "done.json")
+
+    def run(self, command):
+        """Exit code and what was said; a run over the limit is told to stop, and leaves what it
+        has placed."""
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              text=True) as running:
+            try:
+                said = running.communicate(timeout=self.limit)[1]
+            except subprocess.TimeoutExpired:
+                running.send_signal(signal.SIGINT)
+                said = running.communicate()[1]
+            except BaseException:
+                running.kill()
+                raise
+        return running.returncode, said
+
+    def compare(self, *options):
+        """The summary that packing-compare prints."""
+        done = subprocess.run([self.programs["packing-compare"], *options, "--report",
+                               "/dev/null"], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise SystemExit(done.stderr)
+        return done.stderr.strip()
+
+
+class NotThere(Exception):
+    """A run that is to be made later."""

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef PACKING_FRONT_INTERNAL_H
+#define PACKING_FRONT_INTERNAL_H
+
+/* The two engines of the advancing front (the seed paper's, and pockets) and what they share. */
+
+#include "place_internal.h"
+#include "source.h"
+#include <packing/front.h>
+
+/* The head of placer->method of both engines. */
+typedef struct packing_i_front {
+  packing_i_source *source; /* owned */
+  size_t count;             /* particles asked; 0: no limit */
+  double solid_volume;      /* asked; 0: no limit */
+  packing_vec3 innermost;   /* the point farthest from the walls */
+  double room;              /* its distance from them; +infinity: there are none */
+  /* packing_front_members(). */
+  packing_status (*members)(const packing_placer *placer, size_t capacity, size_t *index,
+                            size_t *count);
+} packing_i_front;
+
+/* Whether a particle of volume `next` is still asked for. */
+int packing_i_front_wants(const packing_i_front *front,
+                          const packing_placer_report *tally, double next);
+
+/* The share of the goal that is reached; without one, of what the container may take. */
+double packing_i_front_progress(const packing_i_front *front,
+                                const packing_placer *placer);
+
+/* Fill placer->method, whose head is a copy of `head`, and placer->ops is theirs. On failure
+ * method is NULL and the source is still the caller's. */
+packing_status packing_i_front_paper_start(packing_placer *placer,
+                                           const packing_front_def *def,
+                                           const packing_i_front *head);
+packing_status packing_i_front_pockets_start(packing_placer *placer,
+                                             const packing_front_def *def,
+                                             const packing_i_front *head);
+
+extern const packing_i_placer_ops packing_i_front_paper_ops;
+extern const packing_i_placer_ops packing_i_front_pockets_ops;
+
+#endif

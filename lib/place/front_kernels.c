@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The pocket front's kernels for every machine, and the choice of a set. */
+#include "front_kernels.h"
+
+#define TARGET
+
+static inline void take_root(packing_i_front_vector *v)
+{
+  for (unsigned k = 0; k < PACKING_I_FRONT_WIDTH; k++)
+    (*v)[k] = sqrt((*v)[k]);
+}
+
+static inline unsigned mask_bits(const packing_i_front_mask *m)
+{
+  unsigned bits = 0;
+  for (unsigned k = 0; k < PACKING_I_FRONT_WIDTH; k++)
+    bits |= (unsigned)((*m)[k] & 1) << k;
+  return bits;
+}
+
+#include "front_kernels_body.h"
+
+const packing_i_front_kernels packing_i_front_kernels_baseline = {
+    gather, bodies, pairs, sieve, interval, bounds};
+
+const packing_i_front_kernels *packing_i_front_kernels_for(packing_isa isa)
+{
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (isa == PACKING_ISA_AVX512)
+    return &packing_i_front_kernels_avx512;
+  if (isa == PACKING_ISA_AVX2)
+    return &packing_i_front_kernels_avx2;
+#endif
+  (void)isa;
+  return &packing_i_front_kernels_baseline;
+}

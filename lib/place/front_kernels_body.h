@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The vector work of the pocket front, once for all instruction sets. Included by
+ * front_kernels_*.c, which define
+ *   TARGET                 attribute of every function
+ *   take_root(v)           replaces eight doubles, none negative, by their roots
+ *   mask_bits(m)           bit k set where lane k of a comparison is true
+ * A vector is eight doubles for all sets; the compiler cuts it to what the machine has. Vectors
+ * are handed over by pointer: not all machines have registers for them. */
+
+typedef packing_i_front_vector vector;
+typedef packing_i_front_mask mask;
+
+#define WIDTH PACKING_I_FRONT_WIDTH
+#define ALL(a) ((vector){(a), (a), (a), (a), (a), (a), (a), (a)})
+#define LOAD(p) (*(const vector *)(const void *)(p))
+#define STORE(p, v) (*(vector *)(void *)(p) = (v))
+/* Where the mask says so a, else b. */
+#define SELECT(m, a, b) ((vector)(((m) & (mask)(a)) | (~(m) & (mask)(b))))
+#define MIN(a, b) SELECT((a) < (b), (a), (b))
+#define MAX(a, b) SELECT((a) < (b), (b), (a))
+
+static const vector lanes = {0, 1, 2, 3, 4, 5, 6, 7};
+
+TARGET static void gather(const packing_i_front_bin *bin, uint32_t place,
+                          const packing_vec3 *centre, double reach,
+                          packing_i_front_halo *halo)
+{
+  const vector x = LOAD(bin->x) - ALL(centre->x), y = LOAD(bin->y) - ALL(centre->y),
+               z = LOAD(bin->z) - ALL(centre->z), r = LOAD(bin->r);
+  const vector far = r + ALL(reach);
+  const mask within = x * x + y * y + z * z <= far * far;
+  unsigned bits = mask_bits(&within);
+  size_t n = halo->count;
+  if (bits != 0)
+    __builtin_prefetch(bin->pockets); /* they are asked for next */
+  for (; bits != 0; bits &= bits - 1, n++) {
+    const unsigned k = (unsigned)__builtin_ctz(bits);
+    halo->x[n] = bin->x[k] - centre->x;
+    halo->y[n] = bin->y[k] - centre->y;
+    halo->z[n] = bin->z[k] - centre->z;
+    halo->r[n] = bin->r[k];
+    halo->id[n] = place + k;
+  }
+  halo->count = n;
+}
+
+TARGET static void bodies(packing_i_front_halo *halo, size_t count, double sphere_r)
+{
+  const vector own = ALL(sphere_r);
+  for (size_t t = 0; t < count; t += WIDTH) {
+    const vector x = LOAD(halo->x + t), y = LOAD(halo->y + t), z = LOAD(halo->z + t),
+                 r = LOAD(halo->r + t);
+    STORE(halo->a + t, ALL(0.5) * ((x * x + y * y + z * z) + (own - r) * (own + r)));
+    STORE(halo->b + t, own - r);
+  }
+}
+
+/* With p and q the two bodies, the centre is u p + v q +- w p x q, where u and v solve the two
+ * linear equations and w what is left of the distance from the sphere. */
+TARGET static void pairs(const packing_i_front_caps *caps, size_t first, double distance,
+                         packing_i_front_candidates *candidates)
+{
+  const vector px = ALL(caps->x[first]), py = ALL(caps->y[first]),
+               pz = ALL(caps->z[first]), pp = ALL(caps->square[first]),
+               ptop = ALL(caps->top[first]), preach = ALL(caps->reach[first]);
+  const vector d2 = ALL(distance * distance), zero = ALL(0.0);
+  double out[6][WIDTH] __attribute__((aligned(64)));
+  size_t n = candidates->count;
+  for (size_t t = (first + 1) / WIDTH * WIDTH; t < caps->count; t += WIDTH) {
+    const vector qx = LOAD(caps->x + t), qy = LOAD(caps->y + t), qz = LOAD(caps->z + t),
+                 qq = LOAD(caps->square + t), qtop = LOAD(caps->top + t);
+    const vector reach = preach + LOAD(caps->reach + t);
+    const vector dx = px - qx, dy = py - qy, dz = pz - qz;
+    const vector pq = px * qx + py * qy + pz * qz;
+    const vector nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
+    const vector det = nx * nx + ny * ny + nz * nz;
+    const vector over = ALL(1.0) / det;
+    const vector u = (qq * ptop - pq * qtop) * over, v = (pp * qtop - pq * ptop) * over;
+    const vector cx = u * px + v * qx, cy = u * py + v * qy, cz = u * pz + v * qz;
+    const vector left = d2 - (cx * cx + cy * cy + cz * cz);
+    vector w = MAX(left, zero) * over;
+    take_root(&w);
+    const vector number = lanes + ALL((double)t);
+    const mask meets = (dx * dx + dy * dy + dz * dz <= reach * reach) & (left >= zero) &
+                       (det > ALL(1e-9) * pp * qq) & (number > ALL((double)first)) &
+                       (number < ALL((double)caps->count));
+    unsigned bits = mask_bits(&meets);
+    STORE(out[0], cx + w * nx);
+    STORE(out[1], cy + w * ny);
+    STORE(out[2], cz + w * nz);
+    STORE(out[3], cx - w * nx);
+    STORE(out[4], cy - w * ny);
+    STORE(out[5], cz - w * nz);
+    for (; bits != 0; bits &= bits - 1) {
+      const unsigned k = (unsigned)__builtin_ctz(bits);
+      const uint32_t pair = (uint32_t)first << 16 | (uint32_t)(t + k) << 1;
+      for (unsigned side = 0; side < 2; side++, n++) {
+        candidates->x[n] = out[3 * side][k];
+        candidates->y[n] = out[3 * side + 1][k];
+        candidates->z[n] = out[3 * side + 2][k];
+        candidates->pair[n] = pair | side;
+      }
+    }
+  }
+  candidates->count = n;
+}
+
+TARGET static void sieve(const packing_i_front_caps *caps,
+                         packing_i_front_candidates *candidates)
+{
+  size_t kept = 0;
+  for (size_t n = 0; n < candidates->count; n += WIDTH) {
+    const vector x = LOAD(candidates->x + n), y = LOAD(candidates->y + n),
+                 z = LOAD(candidates->z + n);
+    mask free = lanes < ALL((double)(candidates->count - n));
+    unsigned bits = mask_bits(&free);
+    for (size_t t = 0; t < caps->count && bits != 0; t++) {
+      free &= x * ALL(caps->x[t]) + y * ALL(caps->y[t]) + z * ALL(caps->z[t]) <=
+              ALL(caps->room[t]);
+      bits = mask_bits(&free);
+    }
+    for (; bits != 0; bits &= bits - 1, kept++) {
+      const size_t k = n + (unsigned)__builtin_ctz(bits);
+      candidates->x[kept] = candidates->x[k];
+      candidates->y[kept] = candidates->y[k];
+      candidates->z[kept] = candidates->z[k];
+      candidates->pair[kept] = candidates->pair[k];
+    }
+  }
+  candidates->count = kept;
+}
+
+/* Room of a body on a curve is u + v r - w s(r), which is 0 where (u + v r)^2 = w^2 s^2(r) and
+ * u + v r has w's sign: two roots at most, `*first` <= `*second`, infinite where there is none
+ * above r. */
+TARGET static inline void exits(const vector *room, const vector s2[3], const vector *r,
+                                vector *first, vector *second)
+{
+  const vector u = room[0], v = room[1], w = room[2];
+  const vector zero = ALL(0.0), none = ALL(HUGE_VAL);
+  const vector ww = w * w;
+  const vector q2 = v * v - ww * s2[2], q1 = ALL(2.0) * u * v - ww * s2[1],
+               q0 = u * u - ww * s2[0];
+  const vector discriminant = q1 * q1 - ALL(4.0) * q0 * q2;
+  vector root = MAX(discriminant, zero);
+  take_root(&root);
+  const vector sum = ALL(-0.5) * (q1 + SELECT(q1 >= zero, root, -root));
+  vector one = sum / q2, two = q0 / sum;
+  const vector above = *r * ALL(1 + 1e-12);
+  const mask real = discriminant >= zero;
+  const mask is_one = real & (one > above) & (one < none) & ((u + v * one) * w >= zero) &
+                      (s2[0] + one * (s2[1] + one * s2[2]) >= zero);
+  const mask is_two = real & (two > above) & (two < none) & ((u + v * two) * w >= zero) &
+                      (s2[0] + two * (s2[1] + two * s2[2]) >= zero);
+  one = SELECT(is_one, one, none);
+  two = SELECT(is_two, two, none);
+  *first = MIN(one, two);
+  *second = MAX(one, two);
+}
+
+static inline void meet(packing_i_front_interval *interval, double r)
+{
+  double *e = interval->exit;
+  if (!(r < e[2]))
+    return;
+  if (r < e[1]) {
+    e[2] = e[1];
+    if (r < e[0]) {
+      e[1] = e[0];
+      e[0] = r;
+    } else {
+      e[1] = r;
+    }
+  } else {
+    e[2] = r;
+  }
+}
+
+TARGET static void interval(const packing_i_front_curve *curve,
+                            const packing_i_front_halo *halo, size_t j, size_t k,
+                            double r, double cap, double slack,
+                            packing_i_front_interval *result)
+{
+  const vector none = ALL(HUGE_VAL), start = ALL(r);
+  const vector s2[3] = {ALL(curve->s2[0]), ALL(curve->s2[1]), ALL(curve->s2[2])};
+  const double height2 = curve->s2[0] + r * (curve->s2[1] + r * curve->s2[2]);
+  const vector s = ALL(height2 > 0 ? sqrt(height2) : 0);
+  const double cap2 = curve->s2[0] + cap * (curve->s2[1] + cap * curve->s2[2]);
+  const double top2 =
+      curve->s2[2] < 0 && -0.5 * curve->s2[1] / curve->s2[2] < cap
+          ? curve->s2[0] - 0.25 * curve->s2[1] * curve->s2[1] / curve->s2[2]
+          : cap2;
+  const vector most = ALL(sqrt(top2 > height2 ? top2
+                               : height2 > 0  ? height2
+                                              : 0)),
+               end = ALL(cap);
+  vector lo = start, e0 = none, e1 = none, e2 = none;
+  for (size_t t = 0; t < halo->count; t += WIDTH) {
+    const vector x = LOAD(halo->x + t), y = LOAD(halo->y + t), z = LOAD(halo->z + t);
+    const vector u =
+        LOAD(halo->a + t) -
+        (ALL(curve->base.x) * x + ALL(curve->base.y) * y + ALL(curve->base.z) * z);
+    const vector v =
+        LOAD(halo->b + t) -
+        (ALL(curve->slope.x) * x + ALL(curve->slope.y) * y + ALL(curve->slope.z) * z);
+    const vector w =
+        ALL(curve->side.x) * x + ALL(curve->side.y) * y + ALL(curve->side.z) * z;
+    const vector room = u + v * start - w * s;
+    const vector number = lanes + ALL((double)t);
+    const mask other = (number < ALL((double)halo->count)) & (number != ALL((double)j)) &
+                       (number != ALL((double)k));
+    /* Up to the cap no body is met where even the largest s leaves room. */
+    const vector away = MAX(w, ALL(0.0)) * most;
+    const mask meets = (u + v * start < away) | (u + v * end < away);
+    if (mask_bits(&meets) == 0)
+      continue;
+    const vector body[3] = {u, v, w};
+    vector first, second;
+    exits(body, s2, &start, &first, &second);
+    const mask blocked = (room < ALL(-slack)) & other;
+    lo = MAX(lo, SELECT(blocked, first, start));
+    const vector next = SELECT(other, SELECT(blocked, second, first), none);
+    const vector a = MAX(e0, next);
+    e0 = MIN(e0, next);
+    const vector b = MAX(e1, a);
+    e1 = MIN(e1, a);
+    e2 = MIN(e2, b);
+  }
+  double lane[4][WIDTH] __attribute__((aligned(64)));
+  STORE(lane[0], e0);
+  STORE(lane[1], e1);
+  STORE(lane[2], e2);
+  STORE(lane[3], lo);
+  result->lo = r;
+  result->exit[0] = result->exit[1] = result->exit[2] = HUGE_VAL;
+  for (unsigned n = 0; n < WIDTH; n++) {
+    for (unsigned e = 0; e < 3; e++)
+      meet(result, lane[e][n]);
+    if (lane[3][n] > result->lo)
+      result->lo = lane[3][n];
+  }
+}
+
+TARGET static void bounds(const packing_i_front_curves *c, size_t count)
+{
+  for (size_t t = 0; t < count; t += WIDTH) {
+    const vector x = LOAD(c->x + t), y = LOAD(c->y + t), z = LOAD(c->z + t),
+                 r = LOAD(c->lo + t);
+    const vector u =
+        LOAD(c->a + t) -
+        (LOAD(c->base[0] + t) * x + LOAD(c->base[1] + t) * y + LOAD(c->base[2] + t) * z);
+    const vector v =
+        LOAD(c->b + t) - (LOAD(c->slope[0] + t) * x + LOAD(c->slope[1] + t) * y +
+                          LOAD(c->slope[2] + t) * z);
+    const vector w =
+        LOAD(c->side[0] + t) * x + LOAD(c->side[1] + t) * y + LOAD(c->side[2] + t) * z;
+    const vector s2[3] = {LOAD(c->s2[0] + t), LOAD(c->s2[1] + t), LOAD(c->s2[2] + t)};
+    const vector height2 = s2[0] + r * (s2[1] + r * s2[2]);
+    vector height = MAX(height2, ALL(0.0));
+    take_root(&height);
+    const vector body[3] = {u, v, w};
+    vector first, second;
+    exits(body, s2, &r, &first, &second);
+    STORE(c->room + t, u + v * r - w * height);
+    STORE(c->first + t, first);
+    STORE(c->second + t, second);
+  }
+}
