@@ -12,7 +12,9 @@ static int read_domain(measure_job *job)
     return program_fail(PROGRAM_BAD_INPUT,
                         "--domain is missing, and %s tells no container; see --help",
                         o->in.path);
-  return code ? code : domain_spec_create_noting(job->context, &job->spec, &job->files, &job->domain);
+  return code ? code
+              : domain_spec_create_noting(job->context, &job->spec, &job->files,
+                                          &job->domain);
 }
 
 static int set_up(measure_job *job)

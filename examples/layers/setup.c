@@ -124,7 +124,8 @@ static int choose_container(layers_job *job)
 static int create_container(layers_job *job)
 {
   packing_bounds bounds;
-  const int code = domain_spec_create_noting(job->context, &job->spec, &job->input, &job->domain);
+  const int code =
+      domain_spec_create_noting(job->context, &job->spec, &job->input, &job->domain);
   if (code)
     return code;
   packing_domain_bounds(job->domain, &bounds);
