@@ -79,6 +79,8 @@ int domain_spec_parse_as(const char *named, const char *text, domain_spec *spec)
   const char *more = find_operator(text);
   int code = domain_part_parse(named, text, (size_t)(more - text), spec);
   spec->more = *more ? more : NULL;
+  spec->more_scale = 1; /* what was appended to the first is not meant for the others */
+  spec->more_at = (packing_vec3){0, 0, 0};
   for (part p = next_part(spec->more); p.at && !code; p = next_part(p.text + p.length)) {
     domain_spec other;
     code = parse_part(&p, spec, &other);

@@ -3,12 +3,14 @@
 #define PACKING_SHAPE_H
 
 /** \file packing/shape.h
- *  Shapes of particles, and single bodies: a particle with a shape, or the wall of a container.
+ *  Shapes of particles, and single bodies: a particle with a shape, or the wall of a
+ *  container.
  *
- *  All that a placer asks of a pair of bodies is the gap between them, whether they overlap and
- *  how far one can go in a direction until they touch. A sphere (a disc in two dimensions) is
- *  built in and is the shape NULL; others come from functions of the user. A shape is
- *  immutable, reference-counted and can be shared by threads and contexts. */
+ *  All that a placer asks of a pair of bodies is the gap between them, whether they
+ *  overlap and how far one can go in a direction until they touch. A sphere (a disc in
+ *  two dimensions) is built in and is the shape NULL; others come from functions of the
+ *  user. A shape is immutable, reference-counted and can be shared by threads and
+ *  contexts. */
 
 #include <packing/domain.h>
 
@@ -26,9 +28,9 @@ typedef struct packing_body {
   const packing_domain
       *domain; /**< not NULL: the body is a wall of this container, and the
        fields above do not count */
-  /** Of a wall: which of the container's, -1 the nearest one. Of box and rectangle 2 k is the low
-   *  and 2 k + 1 the high side of axis k; of sphere, circle and annulus 0 the outer and 1 the
-   *  inner wall; others count theirs from 0. */
+  /** Of a wall: which of the container's, -1 the nearest one. Of box and rectangle 2 k is
+   *  the low and 2 k + 1 the high side of axis k; of sphere, circle and annulus 0 the
+   *  outer and 1 the inner wall; others count theirs from 0. */
   int wall;
 } packing_body;
 
@@ -47,9 +49,9 @@ static inline packing_body packing_body_sphere(packing_vec3 centre, double r)
   return body;
 }
 
-/** What a shape of the user's own can do. All functions must be thread-safe; they are called
- *  with at least one body of this shape; the other may have it too, or be a sphere, or have
- *  any other shape that the pack holds. */
+/** What a shape of the user's own can do. All functions must be thread-safe; they are
+ *  called with at least one body of this shape; the other may have it too, or be a
+ *  sphere, or have any other shape that the pack holds. */
 typedef struct packing_shape_def {
   size_t struct_size; /**< set by packing_shape_def_init() */
   const char *name;   /**< copied, as in "two-sphere cluster" */
@@ -58,18 +60,19 @@ typedef struct packing_shape_def {
   double (*gap)(void *user, const packing_body *a, const packing_body *b);
   /** Whether the insides overlap; NULL: where the gap is negative. */
   int (*overlap)(void *user, const packing_body *a, const packing_body *b);
-  /** How far `a` can go along the unit vector `direction` until it touches `b`, both apart;
-   *  infinity: never (equation 4) [L]. NULL: found from the gap. */
+  /** How far `a` can go along the unit vector `direction` until it touches `b`, both
+   *  apart; infinity: never (equation 4) [L]. NULL: found from the gap. */
   double (*distance)(void *user, const packing_body *a, const packing_body *b,
                      const packing_vec3 *direction);
-  /** The least distance of the body's surface from the walls of a container, negative where it
-   *  protrudes [L]. `wall` is -1 for all walls or the number of one; `normal` may be NULL. */
+  /** The least distance of the body's surface from the walls of a container, negative
+   *  where it protrudes [L]. `wall` is -1 for all walls or the number of one; `normal`
+   *  may be NULL. */
   double (*clearance)(void *user, const packing_body *a, const packing_domain *domain,
                       int wall, packing_vec3 *normal);
   /** Volume of the shape of size r [L^3]; 2D: area [L^2]. */
   double (*volume)(void *user, double r, int dim);
-  /** Principal moments of inertia at density 1 and size r [L^5]; 2D: only [2], [L^4]. NULL: the
-   *  shape has none to tell. */
+  /** Principal moments of inertia at density 1 and size r [L^5]; 2D: only [2], [L^4].
+   *  NULL: the shape has none to tell. */
   void (*inertia)(void *user, double r, int dim, double moments[3]);
   void *user; /**< passed to the functions */
   /** Called once, when the shape is gone, never when making it failed; NULL is fine. */
@@ -135,8 +138,10 @@ PACKING_API double packing_body_gap(const packing_body *a, const packing_body *b
  *  \param a a particle
  *  \param domain the container
  *  \param wall which of its walls, as in packing_body; -1: the nearest one
- *  \param[out] normal unit gradient of the gap, 0 where there is no such wall; NULL is fine
- *  \return as packing_body_gap(); infinity where the container has no wall of that number.
+ *  \param[out] normal unit gradient of the gap, 0 where there is no such wall; NULL is
+ *  fine
+ *  \return as packing_body_gap(); infinity where the container has no wall of that
+ *  number.
  *          Thread-safe */
 PACKING_API double packing_body_wall_gap(const packing_body *a,
                                          const packing_domain *domain, int wall,
@@ -148,9 +153,10 @@ PACKING_API double packing_body_wall_gap(const packing_body *a,
 PACKING_API int packing_body_overlap(const packing_body *a, const packing_body *b);
 
 /** The directional distance (seed paper, equations 4 to 10): how far `a` can go along
- *  `direction` until it touches `b`. Bodies that touch or overlap already: 0 where `a` moves
- *  nearer. Closed forms for spheres and the walls of built-in containers; else from the gap, to
- *  rounding, yet a touch as short as 2^-16 of the radius of `a` may be passed.
+ *  `direction` until it touches `b`. Bodies that touch or overlap already: 0 where `a`
+ *  moves nearer. Closed forms for spheres and the walls of built-in containers; else from
+ *  the gap, to rounding, yet a touch as short as 2^-16 of the radius of `a` may be
+ *  passed.
  *  \param a a particle, apart from b or touching it
  *  \param b a particle or a wall
  *  \param direction unit vector
@@ -162,7 +168,8 @@ PACKING_API double packing_body_distance(const packing_body *a, const packing_bo
  *  \param a a particle
  *  \param domain the container
  *  \param[out] normal direction that takes it away from the nearest wall; NULL is fine
- *  \return the least distance of its surface from the walls, negative where it protrudes [L].
+ *  \return the least distance of its surface from the walls, negative where it protrudes
+ *  [L].
  *          Thread-safe */
 PACKING_API double packing_body_clearance(const packing_body *a,
                                           const packing_domain *domain,

@@ -99,8 +99,9 @@ packing_domain_combination_def_init(packing_domain_combination_def *def)
  *  all along and beside the walls of custom containers, meshes and corners of polygons, by what
  *  some 1400 cells of space leave open: never too large, so that no particle protrudes. A
  *  particle may straddle a seam that the union covers; gaps between the two as narrow as the
- *  rounding of a coordinate are no gaps. Outside the
- *  distance is never too large in size (as that of a custom container).
+ *  rounding of a coordinate are no gaps. Outside the distance is never too large in size (as
+ *  that of a custom container). Where an operand's own distance outside is too small, as that of
+ *  the inset of a combination may be, so is that of what it is taken away from.
  *
  *  The volume is exact where both are boxes, rectangles, spheres or circles, or one of them is
  *  cut by a box, a sphere, a circle or a cylinder, or where they lie apart; else it is computed

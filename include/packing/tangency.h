@@ -3,13 +3,14 @@
 #define PACKING_TANGENCY_H
 
 /** \file packing/tangency.h
- *  Placing a particle in contact with others by moving it without turning: Problem 1 of the
- *  seed paper (section 3.4). Two bodies are given in the plane, three in space; there are two
- *  places, one or none. First comes the one from which bodies 0, 1 and 2 turn counter-clockwise; in
- *  the plane, the one to the right of the way from body 0 to body 1.
+ *  Placing a particle in contact with others by moving it without turning: Problem 1 of
+ *  the seed paper (section 3.4). Two bodies are given in the plane, three in space;
+ *  there are two places, one or none. First comes the one from which bodies 0, 1 and 2
+ *  turn counter-clockwise; in the plane, the one to the right of the way from body 0 to
+ *  body 1.
  *
- *  A method is a descriptor; those of the library are packing_contact_method_named(). A host may
- *  make its own. */
+ *  A method is a descriptor; those of the library are packing_contact_method_named(). A
+ *  host may make its own. */
 
 #include <packing/shape.h>
 
@@ -38,32 +39,32 @@ typedef struct packing_contact_method {
   const char *name;      /**< as in "wrappers" */
   const char *reference; /**< paper and section */
   int exact; /**< 1: every body of the task is touched; 0: at least one, none overlapped */
-  /** Finds the places. `user` is the one below. Returns how many, 0 to 2, in an order that
-   *  depends on the task alone. Thread-safe. */
+  /** Finds the places. `user` is the one below. Returns how many, 0 to 2, in an order
+   *  that depends on the task alone. Thread-safe. */
   int (*place)(void *user, const packing_contact_task *task, packing_vec3 centre[2]);
   void *user; /**< passed to the function */
 } packing_contact_method;
 
-/** Intersects the wrappers: the surfaces on which the centre lies while the particle touches one
- *  body (section 3.4.1). Exact, gaps are 0 to rounding; spheres, discs and walls. A particle that
- *  just fits between the bodies has one place.
+/** Intersects the wrappers: the surfaces on which the centre lies while the particle
+ *  touches one body (section 3.4.1). Exact, gaps are 0 to rounding; spheres, discs and
+ *  walls. A particle that just fits between the bodies has one place.
  *  \return a constant */
 PACKING_API const packing_contact_method *packing_contact_wrappers(void);
 
-/** Minimises the sizes of the gaps (section 3.4.2, equation 2), from starts on either side. Exact,
- *  gaps are at most 1e-12 of the particle's radius (or 8 rounding units of the coordinates); every
- *  shape.
+/** Minimises the sizes of the gaps (section 3.4.2, equation 2), from starts on either
+ *  side. Exact, gaps are at most 1e-12 of the particle's radius (or 8 rounding units of
+ *  the coordinates); every shape.
  *  \return a constant */
 PACKING_API const packing_contact_method *packing_contact_potential(void);
 
-/** Bisects along the line through the middle of the bodies (section 3.4.3, equation 3). Every
- *  shape; at least one body is touched, to 2^-40 of the particle's radius, and none is overlapped.
- *  With walls the line runs along them.
+/** Bisects along the line through the middle of the bodies (section 3.4.3, equation 3).
+ *  Every shape; at least one body is touched, to 2^-40 of the particle's radius, and none
+ *  is overlapped. With walls the line runs along them.
  *  \return a constant */
 PACKING_API const packing_contact_method *packing_contact_binary(void);
 
-/** Moves along the same line by the least directional distance (section 3.4.3, equations 4 to
- *  10). Every shape; at least one body is touched.
+/** Moves along the same line by the least directional distance (section 3.4.3, equations
+ *  4 to 10). Every shape; at least one body is touched.
  *  \return a constant */
 PACKING_API const packing_contact_method *packing_contact_direct(void);
 

@@ -40,8 +40,7 @@ static double bound(const packing_i_combination_data *data, const packing_vec3 *
   const double d = packing_i_formula(data, distance, part);
   if (normal != NULL) {
     const packing_i_domain_body *body = data->part[*part];
-    (body->ops->side != NULL ? body->ops->side : body->ops->signed_distance)(body, point,
-                                                                             normal);
+    body->ops->signed_distance(body, point, normal);
     if (data->is_taken[*part])
       *normal = packing_i_scale(*normal, -1);
   }
@@ -113,7 +112,7 @@ static double side_of_inset(const packing_i_combination *c, const packing_vec3 *
                             packing_vec3 *normal)
 {
   packing_vec3 away;
-  double distance;
+  double distance = HUGE_VAL;
   int part;
   const double d = bound(c->data, p, &away, &part);
   packing_vec3 foot = packing_i_sub(*p, packing_i_scale(away, d));
@@ -129,15 +128,31 @@ static double side_of_inset(const packing_i_combination *c, const packing_vec3 *
   return distance - c->inset;
 }
 
+/* The formula of the parts' sides. */
+static double side_of_parts(const packing_i_combination_data *data, const packing_vec3 *p,
+                            packing_vec3 *normal)
+{
+  double distance[PACKING_I_PARTS];
+  int part;
+  packing_i_part_sides(data, p, distance);
+  const double d = packing_i_formula(data, distance, &part);
+  if (normal != NULL) {
+    const packing_i_domain_body *body = data->part[part];
+    (body->ops->side != NULL ? body->ops->side : body->ops->signed_distance)(body, p,
+                                                                             normal);
+    *normal = packing_i_scale(*normal, data->is_taken[part] ? -1 : 1);
+  }
+  return d;
+}
+
 static double side(const packing_i_domain_body *body, const packing_vec3 *point,
                    packing_vec3 *normal)
 {
   const packing_i_combination *c = &body->as.combination;
   packing_vec3 p = *point;
-  int part;
   if (body->dim == 2)
     p.z = 0;
-  return c->inset > 0 ? side_of_inset(c, &p, normal) : bound(c->data, &p, normal, &part);
+  return c->inset > 0 ? side_of_inset(c, &p, normal) : side_of_parts(c->data, &p, normal);
 }
 
 /* The distance from the walls of the combination itself; *foot is where. */

@@ -36,6 +36,13 @@ double packing_i_formula(const packing_i_combination_data *data, const double di
 void packing_i_part_distances(const packing_i_combination_data *data,
                               const packing_vec3 *point, double distance[])
 {
+  for (int i = 0; i < data->parts; i++)
+    distance[i] = data->part[i]->ops->signed_distance(data->part[i], point, NULL);
+}
+
+void packing_i_part_sides(const packing_i_combination_data *data,
+                          const packing_vec3 *point, double distance[])
+{
   for (int i = 0; i < data->parts; i++) {
     const packing_i_domain_ops *ops = data->part[i]->ops;
     distance[i] = (ops->side != NULL ? ops->side : ops->signed_distance)(data->part[i],

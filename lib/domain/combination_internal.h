@@ -45,9 +45,6 @@ typedef struct packing_i_combination_data {
   double blur; /* what rounding may move a wall by [L] */
 } packing_i_combination_data;
 
-/* NULL where the body is none. */
-const packing_i_combination *
-packing_i_domain_combination(const packing_i_domain_body *body);
 const packing_i_domain_ops *packing_i_combination_ops(packing_operation operation);
 
 /* What a and b have in common, as a container for packing_i_subdivide_sides() alone. */
@@ -62,6 +59,10 @@ double packing_i_formula(const packing_i_combination_data *data, const double di
 /* Distances to all parts, positive inside. */
 void packing_i_part_distances(const packing_i_combination_data *data,
                               const packing_vec3 *point, double distance[]);
+
+/* The same of what subdivisions ask for. */
+void packing_i_part_sides(const packing_i_combination_data *data,
+                          const packing_vec3 *point, double distance[]);
 
 /* Whether a wall of part `part` at a point is one of the combination: with it crossed the point
  * is outside, else inside, and neither hangs on rounding. */

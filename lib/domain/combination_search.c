@@ -61,18 +61,20 @@ static cell pop(search *s)
   return top;
 }
 
-static double to_cube(const search *s, const cell *c)
+static double to_cube(const search *s, const packing_vec3 *point, const cell *c)
 {
   double sum = 0;
   for (int k = 0; k < s->dim; k++) {
-    const double x = packing_i_component(s->point, k) - packing_i_component(c->centre, k);
+    const double x = packing_i_component(*point, k) - packing_i_component(c->centre, k);
     const double gap = fmax(fabs(x) - c->half, 0);
     sum += gap * gap;
   }
   return sqrt(sum);
 }
 
-/* The bound of a cell, infinite where nothing of it lies outside; its nearest term. */
+/* The bound of a cell, infinite where nothing of it lies outside; its nearest term. What a term
+ * holds is convex, so a point of it that lies in the cell, off its foot, is farther by
+ * Pythagoras at least. */
 static double view(search *s, cell *c, int *nearest)
 {
   packing_vec3 foot;
@@ -81,12 +83,14 @@ static double view(search *s, cell *c, int *nearest)
   for (int i = 0; i < s->view.terms; i++) {
     const double d =
         packing_i_term_distance(&s->view, &s->view.term[i], &s->point, &foot);
-    if (d < least) {
-      least = d;
+    const double off = to_cube(s, &foot, c);
+    const double bound = off > 0 ? sqrt(d * d + off * off) : d;
+    if (bound < least) {
+      least = bound;
       *nearest = i;
     }
   }
-  return least < HUGE_VAL ? fmax(least, to_cube(s, c)) : least;
+  return least < HUGE_VAL ? fmax(least, to_cube(s, &s->point, c)) : least;
 }
 
 static void offer(search *s, const packing_vec3 *foot)

@@ -193,6 +193,8 @@ int packing_i_by_parts(const packing_domain *domain, packing_i_measure measure,
 
 /* NULL where the body is none of these. */
 const packing_i_polygon *packing_i_domain_polygon(const packing_i_domain_body *body);
+const packing_i_combination *
+packing_i_domain_combination(const packing_i_domain_body *body);
 
 /* Sets component `axis`. */
 static inline void packing_i_set_component(packing_vec3 *v, int axis, double value)

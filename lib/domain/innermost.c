@@ -263,12 +263,12 @@ static packing_status run(search *s)
 static packing_status by_search(packing_context *context, const packing_domain *domain,
                                 double tolerance, packing_vec3 *point)
 {
-  const packing_i_domain_ops *ops = domain->body.ops;
+  const int has_seams = packing_i_domain_combination(&domain->body) != NULL;
   search s = {.context = context,
               .domain = domain,
               .tolerance = tolerance,
               .limit = HUGE_VAL,
-              .most_calls = ops->side != NULL ? MOST_CALLS_SEAMS : MOST_CALLS,
+              .most_calls = has_seams ? MOST_CALLS_SEAMS : MOST_CALLS,
               .best = -HUGE_VAL};
   const packing_status status = run(&s);
   packing_i_free(packing_i_allocator(context), s.heap);

@@ -4,7 +4,8 @@
  * Two edges are apart when their boxes are, or when the ends of one lie on one side of the line
  * through the other by more than rounding could (the bound of Shewchuk's orient2d). What cannot
  * be told from touching touches. Each edge asks the tree for those whose box it meets and that do
- * not lie on one side of its line: n log n for drawings. */
+ * not lie on one side of its line: n log n for drawings; for long needles side by side across the
+ * axes, whose boxes all meet, up to n^2 (1e5 of them: some ten seconds). */
 #include "polygon_internal.h"
 #include <float.h>
 
@@ -88,20 +89,36 @@ static int within_ring(const packing_i_polygon_data *data, int vertex)
   return vertex - first + 1;
 }
 
+/* A vertex of *f that stands where one of *e does, or -1. */
+static int repeated(const packing_i_edge *e, const packing_i_edge *f, int *other)
+{
+  for (int k = 0; k < 4; k++) {
+    const double x = k & 1 ? e->bx : e->ax, y = k & 1 ? e->by : e->ay;
+    *other = k & 1 ? e->next : e->id;
+    if (x == (k & 2 ? f->bx : f->ax) && y == (k & 2 ? f->by : f->ay))
+      return k & 2 ? f->next : f->id;
+  }
+  return -1;
+}
+
 static packing_status refuse(packing_context *context, const packing_i_polygon_data *data,
                              const packing_i_edge *e, const packing_i_edge *f)
 {
-  const int here = data->ring[f->id] + 1, vertex = within_ring(data, f->id);
-  const int there = data->ring[e->id] + 1, other = within_ring(data, e->id);
-  if (e->ax == f->ax && e->ay == f->ay)
-    return packing_i_fail(context, PACKING_ERR_GEOMETRY, "rings", (size_t)f->id,
+  int first;
+  const int again = repeated(e, f, &first);
+  if (again >= 0 && again != first)
+    return packing_i_fail(context, PACKING_ERR_GEOMETRY, "rings", (size_t)again,
                           "vertex %d of ring %d repeats vertex %d of ring %d, at %g, %g",
-                          vertex, here, other, there, f->ax, f->ay);
+                          within_ring(data, again), data->ring[again] + 1,
+                          within_ring(data, first), data->ring[first] + 1,
+                          data->edge[data->place[again]].ax,
+                          data->edge[data->place[again]].ay);
   return packing_i_fail(
       context, PACKING_ERR_GEOMETRY, "rings", (size_t)f->id,
       "the edge of ring %d from vertex %d, at %g, %g, crosses or touches "
       "that of ring %d from vertex %d, at %g, %g",
-      here, vertex, f->ax, f->ay, there, other, e->ax, e->ay);
+      data->ring[f->id] + 1, within_ring(data, f->id), f->ax, f->ay,
+      data->ring[e->id] + 1, within_ring(data, e->id), e->ax, e->ay);
 }
 
 packing_status packing_i_polygon_check(packing_context *context,

@@ -160,6 +160,8 @@ static packing_status read_rings(rings *r)
   PACKING_I_TRY(understand(r));
   while (got) {
     PACKING_I_TRY(packing_i_table_row(&r->table, cells, 1, &got));
+    if (!got)
+      r->table.lines.number--; /* the last line there was, not the end behind it */
     if (got == 1)
       PACKING_I_TRY(take(r, cells));
     else
@@ -167,7 +169,6 @@ static packing_status read_rings(rings *r)
   }
   if (r->rings > 0)
     return PACKING_OK;
-  r->table.lines.number--; /* the last line there was, not the end behind it */
   return packing_i_lines_fail(&r->table.lines, PACKING_ERR_FORMAT,
                               "truncated: no row follows the header");
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A grid of lower bounds of the distance from the surface, so that questions about points deep
  * inside or far outside need no tree. A block of 8^3 cells is asked once in its middle; where the
- * surface is farther than twice the block's corners all its cells follow from that, since distances
+ * surface is half as far again as the block's corners all its cells follow from that, since distances
  * change no faster than points move; else its eight parts are asked in turn. Bounds are single
  * precision, rounded towards 0 by more than that costs. Memory 4 bytes a cell, at most 2^20 cells;
  * time: the cells near the surface. */
@@ -11,6 +11,7 @@ enum { BLOCK = 8, LEAST_CELLS = 1 << 12, MOST_CELLS = 1 << 20, CELLS_A_TRIANGLE 
 static const double HALF_DIAGONAL =
     0.8660254037844387; /* of a cell of edge 1, rounded up */
 static const double LESS = 1 - 1e-6;
+static const double FAR = 1.5; /* times a block's reach: not asked further */
 
 typedef struct job {
   const packing_i_surface *surface;
@@ -109,7 +110,7 @@ static void visit(const job *j, const part *p, double most)
   const double distance = ask(j->surface, middle, most);
   const int single = p->to[0] - p->from[0] == 1 && p->to[1] - p->from[1] == 1 &&
                      p->to[2] - p->from[2] == 1;
-  if (single || fabs(distance) >= 2 * reach) {
+  if (single || fabs(distance) >= FAR * reach) {
     set_cells(j, p, middle, distance);
     return;
   }

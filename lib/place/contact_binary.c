@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Placing a particle in contact by bisection (seed 001, 3.4.3, equation 3): on the line from c_m
- * (t = 0) to c_0 = c_m + 2 R u (t = 1) f(t) is 1 where the particle is free of all bodies, and
- * t* = inf {t : f = 1 on [t, 1]}. Nothing but "do they overlap" is asked of the shapes. At least
- * one body is touched, to the tolerance of 2^-40 of the mobile radius.
+/* Placing a particle in contact by bisection (Perez Morales et al., 3.4.3, equation 3):
+ * on the line from c_m (t = 0) to c_0 = c_m + 2 R u (t = 1) f(t) is 1 where the particle
+ * is free of all bodies, and t* = inf {t : f = 1 on [t, 1]}. Nothing but "do they
+ * overlap" is asked of the shapes. At least one body is touched, to the tolerance of
+ * 2^-40 of the mobile radius.
  *
- * The paper takes f for rising. Of spheres it is; if they do not overlap at t = 0 the particle
- * slips through between them, touches none, and there is no place. Other shapes are watched from
- * t = 1 down in steps of an eighth of the smallest radius (at most 4096 of them), and the last
- * interval is halved. The end that is free is taken: what is returned has been seen to overlap
- * nothing.
+ * The paper takes f for rising. Of spheres it is; if they do not overlap at t = 0 the
+ * particle slips through between them, touches none, and there is no place. Other shapes
+ * are watched from t = 1 down in steps of an eighth of the smallest radius (at most 4096
+ * of them), and the last interval is halved. The end that is free is taken: what is
+ * returned has been seen to overlap nothing.
  *
  * Cost: 3 tests of overlap for each of some 42 halvings (and each step) and side. */
 #include "touch_internal.h"
@@ -43,7 +44,7 @@ static int steps_of(const packing_contact_task *task, const packing_i_touch_line
   return convex ? 1 : steps < STEPS_MOST ? (int)steps : STEPS_MOST;
 }
 
-/* The end of the line at t, free, of which something is overlapped before the next step. */
+/* The last step seen free, and the next one, at which something is overlapped. */
 static int first_overlap(const packing_contact_task *task,
                          const packing_i_touch_line *line, double *taken, double *free)
 {

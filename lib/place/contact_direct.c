@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Placing a particle in contact in one move (seed 001, 3.4.3, equations 4 to 10): from
- * c_0 = c_m + 2 R u along -u by the least of its directional distances to the bodies. The place is
- * that of the binary approach without its bisection. Where all miss, or the first contact lies
- * beyond c_m, there is no place.
+/* Placing a particle in contact in one move (Perez Morales et al., 3.4.3, equations 4 to
+ * 10): from c_0 = c_m + 2 R u along -u by the least of its directional distances to the
+ * bodies. The place is that of the binary approach without its bisection. Where all miss,
+ * or the first contact lies beyond c_m, there is no place.
  *
  * Cost: 3 directional distances a side. */
 #include "touch_internal.h"

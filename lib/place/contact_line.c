@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The line of the approximate methods (seed 001, 3.4.3): through the mean c_m of the centres,
- * along the normal u of the segment (2D) or triangle (3D) of the centres, from c_0 = c_m + 2 R u
- * to c_m, R the largest circumscribed radius of all; at c_0 the mobile particle is free of all
- * fixed ones, for u is normal to c_m - c_i.
+/* The line of the approximate methods (Perez Morales et al., 3.4.3): through the mean c_m
+ * of the centres, along the normal u of the segment (2D) or triangle (3D) of the centres,
+ * from c_0 = c_m + 2 R u to c_m, R the largest circumscribed radius of all; at c_0 the
+ * mobile particle is free of all fixed ones, for u is normal to c_m - c_i.
  *
- * The paper has no walls. Here the way into a wall stands for the side of the triangle that leads
- * to its centre, so that u runs along the wall, and the line is moved along the wall's normal
- * until the mobile particle, on its way from c_0 to c_m, slides along the wall: it touches the
- * wall all the time where that is flat, at one end where it is curved. (The gap is 2^-40 of the
- * mobile radius and not 0, lest rounding make it an overlap.) u stays normal to the particles'
- * c_m - c_i, so that c_0 is free of them as before. Where a curved wall leaves no room for a line of
- * that length, a half or a quarter of it serves if its end is free. Constant time. */
+ * The paper has no walls. Here the way into a wall stands for the side of the triangle
+ * that leads to its centre, so that u runs along the wall, and the line is moved along
+ * the wall's normal until the mobile particle, on its way from c_0 to c_m, slides along
+ * the wall: it touches the wall all the time where that is flat, at one end where it is
+ * curved. (The gap is 2^-40 of the mobile radius and not 0, lest rounding make it an
+ * overlap.) u stays normal to the particles' c_m - c_i, so that c_0 is free of them as
+ * before. Where a curved wall leaves no room for a line of that length, a half or a
+ * quarter of it serves if its end is free. Constant time. */
 #include "touch_internal.h"
 #include <float.h>
 
@@ -88,8 +89,8 @@ static packing_vec3 lift_of(const rails *r)
       packing_i_scale(r->normal[1], (r->wanted[1] - cosine * r->wanted[0]) / det));
 }
 
-/* How much further along its normal a wall wants the line, for the particle at one end to come
- * free of it. */
+/* How much further along its normal a wall wants the line, for the particle at one end to
+ * come free of it. */
 static double missing_at(const packing_body *end, const rails *r, int k)
 {
   packing_vec3 normal;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The ways to place a particle in contact, by name, and the call that all of them go through. */
+/* The ways to place a particle in contact, by name, and the call that all of them go
+ * through. */
 #include "touch_internal.h"
 #include <string.h>
 

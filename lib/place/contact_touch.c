@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gaps of a place, and the solution of "all gaps are 0" for three unknowns (two in the plane
- * z = 0) by Newton's method and, from afar, Levenberg and Marquardt's. Gradients of spheres and
- * walls are exact, those of other shapes central differences. */
+/* Gaps of a place, and the solution of "all gaps are 0" for three unknowns (two in the
+ * plane z = 0) by Newton's method and, from afar, Levenberg and Marquardt's. Gradients of
+ * spheres and walls are exact, those of other shapes central differences. */
 #include "touch_internal.h"
 #include <float.h>
 
@@ -10,7 +10,7 @@ enum { POLISH_STEPS = 4, DESCENT_STEPS = 250 };
 /* Of a radius: places farther apart are two. */
 static const double near_place = 0x1p-6;
 
-/* A descent that wins less than this share of the squares in a step has come to its end. */
+/* A descent that wins less of the squares in a step than this share has ended. */
 static const double standstill = 0x1p-30;
 
 /* Of a radius: as far as the centre is moved to find a gradient. */
@@ -91,7 +91,8 @@ double packing_i_touch_tolerance(const packing_contact_task *task)
   return share > rounding ? share : rounding;
 }
 
-/* Whether two places are one as far as the tolerance can tell: what lies between is a place. */
+/* Whether two places are one as far as the tolerance can tell: what lies between is a
+ * place. */
 static int is_same(const packing_contact_task *task, packing_vec3 a, packing_vec3 b)
 {
   if (packing_i_norm(packing_i_sub(a, b)) > near_place * task->mobile.r)

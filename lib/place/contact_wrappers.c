@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Placing a particle in contact by intersecting wrappers (seed 001, 3.4.1): the wrapper of a body
- * is the surface on which the mobile centre lies while the particles touch. That of a sphere is a
- * sphere of radius r + r_i, that of a flat wall a plane at the distance r.
+/* Placing a particle in contact by intersecting wrappers (Perez Morales et al., 3.4.1):
+ * the wrapper of a body is the surface on which the mobile centre lies while the
+ * particles touch. That of a sphere is a sphere of radius r + r_i, that of a flat wall a
+ * plane at the distance r.
  *
- * Departure: three wrappers are not intersected one after the other. Relative to one of the
- * spheres all others are linear in the centre (front_curve.h), so that spheres and flat walls are
- * one case, and the two roots come from one square root. In the plane z = 0 is the third body.
- * A curved wall is taken as the plane that touches it where the particle does; where that is comes
- * out of repeating this, and Newton's method on the gaps ends it. Newton's steps take away what
- * rounding left in the closed form too.
+ * Departure: three wrappers are not intersected one after the other. Relative to one of
+ * the spheres all others are linear in the centre (front_curve.h), so that spheres and
+ * flat walls are one case, and the two roots come from one square root. In the plane z =
+ * 0 is the third body. A curved wall is taken as the plane that touches it where the
+ * particle does; where that is comes out of repeating this, and Newton's method on the
+ * gaps ends it. Newton's steps take away what rounding left in the closed form too.
  *
  * Cost: some 200 operations and 9 roots; with a curved wall up to 12 times as much. */
 #include "front_curve.h"
@@ -16,8 +17,8 @@
 
 enum { LINEARISATIONS = 12 };
 
-/* A squared height of this share of the squared reach counts as 0: of it rounding leaves no
- * more, and gaps are then no larger than 2e-15 of the reach. */
+/* A squared height of this share of the squared reach counts as 0: of it rounding leaves
+ * no more, and gaps are then no larger than 2e-15 of the reach. */
 static const double double_root = 0x1p-48;
 
 /* The task as its first sphere sees it. */
@@ -34,8 +35,8 @@ static view view_of(const packing_contact_task *task)
   return v;
 }
 
-/* Body k of the others, walls as they are near the mobile centre c (from the sphere's centre).
- * Returns 0 where there is no such wall. */
+/* Body k of the others, walls as they are near the mobile centre c (from the sphere's
+ * centre). Returns 0 where there is no such wall. */
 static int body_of(const view *v, int k, packing_vec3 c, packing_i_front_body *body)
 {
   const int index = v->other[k];
@@ -57,7 +58,8 @@ static int body_of(const view *v, int k, packing_vec3 c, packing_i_front_body *b
   return isfinite(gap);
 }
 
-/* The two places that touch the sphere and two linear bodies; one where they all but meet. */
+/* The two places that touch the sphere and two linear bodies; one where they all but
+ * meet. */
 static int solve(const view *v, const packing_i_front_body body[2], int nearest,
                  packing_vec3 c[2])
 {
@@ -93,8 +95,8 @@ static int place_among_spheres(const view *v, packing_vec3 centre[2])
   return count;
 }
 
-/* The place on a side, the walls made flat again and again where it came to lie. Meanwhile the
- * planes may have no solution; then the nearest approach serves. */
+/* The place on a side, the walls made flat again and again where it came to lie.
+ * Meanwhile the planes may have no solution; then the nearest approach serves. */
 static int place_at_walls(const packing_contact_task *task, int side,
                           packing_vec3 *centre)
 {

@@ -172,13 +172,14 @@ static void keep(const birth *b, const packing_i_pocket *pocket, uint32_t home)
 /* The interval of radii. The walls in the halo are those near the sphere; on curved walls those
  * near the candidate take their place. */
 static int find_interval(const birth *b, const packing_i_front_curve *curve,
-                         const size_t own[2], packing_vec3 c,
+                         const size_t own[2], packing_vec3 c, double most,
                          packing_i_front_interval *interval)
 {
   const packing_i_pockets *p = b->p;
   packing_i_front_halo *halo = &b->lane->halo;
   const double start = packing_i_front_curve_start(curve, p->min_r);
-  if (!(start <= p->max_r))
+  const double cap = p->cap * most, seen = packing_i_front_most(p, b->r);
+  if (!(start <= most))
     return 0;
   const size_t all = halo->count;
   size_t j = own[0], k = own[1];
@@ -198,24 +199,34 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
         saved[f][n] = column[f][spheres + n];
       saved_id[n] = halo->id[spheres + n];
     }
-    packing_i_front_walls_gather(p, &b->centre, c, 3 * p->max_r, &walls);
+    packing_i_front_walls_gather(p, &b->centre, c, 3 * most, &walls);
     for (size_t t = spheres; t < walls.count; t++) {
       if (walls.id[t] == id[0])
         j = t;
       if (walls.id[t] == id[1])
         k = t;
     }
-    p->kernels->interval(curve, &walls, j, k, start, p->cap_r, p->slack, interval);
+    p->kernels->interval(curve, &walls, j, k, start, cap, p->slack, interval);
     for (size_t n = 0; n < held; n++) {
       for (int f = 0; f < 6; f++)
         column[f][spheres + n] = saved[f][n];
       halo->id[spheres + n] = saved_id[n];
     }
   } else {
-    p->kernels->interval(curve, halo, j, k, start, p->cap_r, p->slack, interval);
+    p->kernels->interval(curve, halo, j, k, start, cap, p->slack, interval);
   }
+  for (int e = 0; e < 3 && most > seen; e++)
+    if (interval->exit[e] > seen) /* not all of what could be met was looked at */
+      interval->exit[e] = HUGE_VAL;
+  interval->exit[0] = fmin(interval->exit[0], p->most_r);
   return interval->exit[0] >= interval->lo && interval->exit[0] >= p->min_r &&
-         interval->lo <= p->max_r;
+         interval->lo <= most;
+}
+
+/* The radius of a body; a wall has none. */
+static double radius_of(const packing_i_front_halo *halo, size_t t)
+{
+  return (halo->id[t] & PACKING_I_FRONT_WALL) ? 0 : halo->r[t];
 }
 
 static void try_candidate(const birth *b, size_t n)
@@ -245,7 +256,10 @@ static void try_candidate(const birth *b, size_t n)
   if (!in_cell(p, &at))
     return;
   packing_i_front_interval interval;
-  if (!find_interval(b, &pocket.curve, own, c, &interval))
+  const double most = packing_i_front_most(
+      p, fmax(b->r, fmax(radius_of(halo, own[0]), radius_of(halo, own[1]))));
+  pocket.most = (float)(most * (1 + 1e-7)); /* not rounded down */
+  if (!find_interval(b, &pocket.curve, own, c, most, &interval))
     return;
   pocket.lo = interval.lo;
   memcpy(pocket.exit, interval.exit, sizeof pocket.exit);
@@ -316,7 +330,8 @@ void packing_i_pockets_born(packing_i_pockets *p, packing_i_front_lane *lane,
     halo->id[n] = PACKING_I_FRONT_WALL | PACKING_I_FRONT_PLANE;
   }
   if (!p->grid.tile[tile].clear)
-    packing_i_front_walls_gather(p, centre, zero, r + 2 * p->max_r, halo);
+    packing_i_front_walls_gather(p, centre, zero, r + 2 * packing_i_front_most(p, r),
+                                 halo);
   choose_caps(p, lane, r);
   candidates->count = 0;
   const size_t firsts = p->dim == 2 ? 1 : lane->caps.count;

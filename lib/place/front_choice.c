@@ -14,9 +14,10 @@
 static double leaves(const packing_i_pockets *p, const packing_i_pocket *pocket,
                      const packing_i_stock *stock, double r)
 {
+  const double cap = p->cap * (double)pocket->most;
   double gap[3];
   for (int e = 0; e < 3; e++)
-    gap[e] = (pocket->exit[e] < p->cap_r ? pocket->exit[e] : p->cap_r) - r;
+    gap[e] = (pocket->exit[e] < cap ? pocket->exit[e] : cap) - r;
   const double left = (gap[0] + p->second * gap[1] + p->third * gap[2]) / r;
   return p->balance > 0 ? left - p->balance * packing_i_stock_excess(stock, r) : left;
 }
@@ -25,7 +26,9 @@ double packing_i_pocket_score(const packing_i_pockets *p, packing_i_front_lane *
                               const packing_i_pocket *pocket, size_t *index)
 {
   const packing_i_stock *stock = packing_i_source_stock(lane->source, pocket->zone);
-  const size_t fitting = packing_i_stock_below(stock, pocket->exit[0]);
+  const double most = (double)pocket->most;
+  const size_t fitting =
+      packing_i_stock_below(stock, pocket->exit[0] < most ? pocket->exit[0] : most);
   if (fitting == 0 || stock->r[fitting - 1] < pocket->lo)
     return HUGE_VAL;
   double score = leaves(p, pocket, stock, stock->r[fitting - 1]);

@@ -159,7 +159,13 @@ packing_status packing_i_paper_free(const packing_placer *placer,
  * lost. */
 packing_status packing_i_paper_rows(const packing_placer *placer, size_t count);
 
-/* Fills `outer` with [0, count), those first whose particle, of index[], is to be taken first;
+enum { PACKING_I_PAPER_FEW = 96 }; /* neighbours all looked at for each P_j */
+
+/* Sorts by r, equal ones in the order they had; r > 0 of more than a few. Memory for twice as many
+ * ranks is there. */
+void packing_i_paper_sort(packing_i_rank *rank, size_t count);
+
+/* Fills `order` with [0, count), those first whose particle is to be taken first;
  * random: as they are. */
 void packing_i_paper_order(packing_i_paper *paper, uint32_t *order, size_t count,
                            size_t (*particle)(const packing_i_paper_scan *scan,

@@ -32,20 +32,41 @@ packing_status packing_i_paper_rows(const packing_placer *placer, size_t count)
   return PACKING_OK;
 }
 
+void packing_i_paper_sort(packing_i_rank *rank, size_t count)
+{
+  if (count > PACKING_I_PAPER_FEW) {
+    packing_i_ranks_sort(rank, rank + count, count);
+    return;
+  }
+  for (size_t k = 1; k < count; k++) {
+    const packing_i_rank moved = rank[k];
+    size_t to = k;
+    for (; to > 0 && rank[to - 1].r > moved.r; to--)
+      rank[to] = rank[to - 1];
+    rank[to] = moved;
+  }
+}
+
+/* Rises with the order in which particles are taken; ranks are above 0. */
+static double age(size_t particle, int lifo)
+{
+  return 1.0 + (double)(lifo ? UINT32_MAX - particle : particle);
+}
+
 void packing_i_paper_order(packing_i_paper *paper, uint32_t *order, size_t count,
                            size_t (*particle)(const packing_i_paper_scan *scan,
                                               size_t entry))
 {
   packing_i_paper_scan *scan = &paper->scan;
-  const double sign = paper->select_neighbours == PACKING_FRONT_LIFO ? -1 : 1;
+  const int lifo = paper->select_neighbours == PACKING_FRONT_LIFO;
   if (paper->select_neighbours == PACKING_FRONT_RANDOM) {
     for (size_t k = 0; k < count; k++)
       order[k] = (uint32_t)k;
     return;
   }
   for (size_t k = 0; k < count; k++)
-    scan->rank[k] = (packing_i_rank){sign * (double)particle(scan, k), k};
-  packing_i_ranks_sort(scan->rank, scan->rank + count, count);
+    scan->rank[k] = (packing_i_rank){age(particle(scan, k), lifo), k};
+  packing_i_paper_sort(scan->rank, count);
   for (size_t k = 0; k < count; k++)
     order[k] = (uint32_t)scan->rank[k].index;
 }

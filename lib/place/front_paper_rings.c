@@ -10,8 +10,6 @@
  * are looked at. */
 #include "front_paper.h"
 
-enum { FEW = 96 }; /* neighbours all looked at for each P_j */
-
 static packing_i_ring_body body_of(const packing_i_paper *paper, packing_vec3 p, double r,
                                    size_t index)
 {
@@ -24,7 +22,7 @@ static packing_i_ring_body body_of(const packing_i_paper *paper, packing_vec3 p,
 
 static int is_few(const packing_i_paper_scan *scan)
 {
-  return scan->near.count <= FEW;
+  return scan->near.count <= PACKING_I_PAPER_FEW;
 }
 
 static size_t particle_of_body(const packing_i_paper_scan *scan, size_t entry)
@@ -59,7 +57,7 @@ static void fill_bodies(packing_i_paper *paper)
     unsorted[l] = body_of(paper, image->p, image->r, image->index);
     scan->rank[l] = (packing_i_rank){unsorted[l].cosine, l};
   }
-  packing_i_ranks_sort(scan->rank, scan->rank + count, count);
+  packing_i_paper_sort(scan->rank, count);
   scan->bodies = 0;
   for (size_t l = 0; l < count; l++) {
     const packing_i_ring_body *body = &unsorted[scan->rank[l].index];

@@ -73,15 +73,22 @@ static void settle(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t ti
   packing_i_pockets_born(p, lane, tile, place, centre, r);
 }
 
+/* The spheres whose surface is within `reach` of a centre, into the halo. 0: starved. */
 static int look(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t tile,
-                const packing_vec3 *centre, double r)
+                const packing_vec3 *centre, double reach)
 {
   lane->halo.count = 0;
-  if (packing_i_front_grid_gather(&p->grid, p->kernels, tile, centre, r + 2 * p->max_r,
-                                  p->max_r, &lane->halo))
+  if (packing_i_front_grid_gather(&p->grid, p->kernels, tile, centre, reach, p->body_r,
+                                  &lane->halo))
     return 1;
   lane->starved = 2;
   return 0;
+}
+
+/* How far a sphere of radius r looks when it comes. */
+static double sight(const packing_i_pockets *p, double r)
+{
+  return r + 2 * packing_i_front_most(p, r);
 }
 
 static uint32_t insert(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t *tile,
@@ -113,7 +120,8 @@ static void put(packing_i_pockets *p, packing_i_front_lane *lane,
 {
   for (size_t n = 0; n < images; n++) {
     /* Without a halo an image is an obstacle only. */
-    if (!(looked && n == 0) && !look(p, lane, image[n].tile, &image[n].centre, r))
+    if (!(looked && n == 0) &&
+        !look(p, lane, image[n].tile, &image[n].centre, sight(p, r)))
       lane->halo.count = 0;
     uint32_t tile = image[n].tile;
     const uint32_t place = insert(p, lane, &tile, &image[n].centre, r);
@@ -133,7 +141,7 @@ int packing_i_front_put(packing_i_pockets *p, packing_i_front_lane *lane, uint32
     lane->starved = 1;
     return 0;
   }
-  if (!look(p, lane, image[0].tile, &image[0].centre, r))
+  if (!look(p, lane, image[0].tile, &image[0].centre, sight(p, r)))
     return 0;
   put(p, lane, image, images, 1, r, component);
   return 1;
@@ -152,8 +160,9 @@ static void halo_move(packing_i_front_halo *halo, size_t to, size_t from)
   halo->id[to] = halo->id[from];
 }
 
-/* On curved walls the interval is that of the planes where the pocket was made: it is found anew
- * where the particle would be. 0: there is no pocket any more. */
+/* On curved walls the interval is that of the planes where the pocket was made, and among very
+ * different sizes it may miss bodies that came or were far: it is found anew where the particle
+ * would be. 0: there is no pocket any more. */
 static int renew(packing_i_pockets *p, packing_i_front_lane *lane,
                  packing_i_pocket *pocket, uint32_t tile, packing_vec3 c)
 {
@@ -162,14 +171,15 @@ static int renew(packing_i_pockets *p, packing_i_front_lane *lane,
   packing_i_front_body j, k;
   packing_i_front_halo *halo = &lane->halo;
   packing_i_front_interval interval;
+  const double most = (double)pocket->most;
   if (pocket->tries++ >= PACKING_I_POCKET_TRIES ||
-      !look(p, lane, tile, &owner, owner_r) ||
+      !look(p, lane, tile, &owner, owner_r + 2 * most) ||
       !body_now(p, &owner, owner_r, pocket->j, c, &j) ||
       !body_now(p, &owner, owner_r, pocket->k, c, &k) ||
       !packing_i_front_curve_init(owner_r, &j, &k, pocket->side, &pocket->curve))
     return 0;
   p->kernels->bodies(halo, halo->count, owner_r);
-  packing_i_front_walls_gather(p, &owner, c, 3 * p->max_r, halo);
+  packing_i_front_walls_gather(p, &owner, c, 3 * most, halo);
   size_t own[2] = {halo->count, halo->count}, kept = 0;
   for (size_t t = 0; t < halo->count; t++) {
     if (halo->id[t] == pocket->j)
@@ -182,15 +192,16 @@ static int renew(packing_i_pockets *p, packing_i_front_lane *lane,
   }
   halo->count = kept;
   const double start = packing_i_front_curve_start(&pocket->curve, p->min_r);
-  if (!(start <= p->max_r))
+  if (!(start <= most))
     return 0;
-  p->kernels->interval(&pocket->curve, halo, own[0], own[1], start, p->cap_r, p->slack,
-                       &interval);
+  p->kernels->interval(&pocket->curve, halo, own[0], own[1], start, p->cap * most,
+                       p->slack, &interval);
+  interval.exit[0] = fmin(interval.exit[0], p->most_r);
   pocket->lo = interval.lo;
   memcpy(pocket->exit, interval.exit, sizeof pocket->exit);
   packing_i_pocket_measure(p, pocket);
   return interval.exit[0] >= interval.lo && interval.exit[0] >= p->min_r &&
-         interval.lo <= p->max_r;
+         interval.lo <= most;
 }
 
 /* Whether c is close enough to the tile for the lane to work there. */
@@ -207,7 +218,7 @@ static int within(const packing_i_pockets *p, uint32_t tile, const packing_vec3 
 static int is_free(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t tile,
                    const packing_vec3 *centre, double r)
 {
-  if (!look(p, lane, tile, centre, r))
+  if (!look(p, lane, tile, centre, sight(p, r)))
     return -1;
   return free_of_spheres(p, &lane->halo, r) &&
          (p->grid.tile[tile].clear || packing_i_front_holds(p, centre, r));
@@ -229,7 +240,9 @@ int packing_i_pocket_fill(packing_i_pockets *p, packing_i_front_lane *lane, uint
   packing_vec3 centre = packing_i_add(owner, c);
   if (p->dim == 2)
     centre.z = 0;
-  if (!within(p, tile, &centre)) {
+  /* The zone is that of the reference radius; another has other sizes. */
+  if (!within(p, tile, &centre) ||
+      packing_i_source_zone(lane->source, &centre) != pocket->zone) {
     packing_i_pocket_kill(p, id);
     return 1;
   }
@@ -243,7 +256,7 @@ int packing_i_pocket_fill(packing_i_pockets *p, packing_i_front_lane *lane, uint
   if (free < 0)
     return 0;
   if (!free) {
-    if (pocket->walls && p->curved && renew(p, lane, pocket, tile, c))
+    if (((pocket->walls && p->curved) || p->wide) && renew(p, lane, pocket, tile, c))
       packing_i_pocket_offer(p, lane, id);
     else if (lane->starved == 0)
       packing_i_pocket_kill(p, id);

@@ -22,17 +22,31 @@ static void set_lengths(packing_i_pockets *p)
   p->max_r = packing_i_source_max_r(source);
   p->mean_r = packing_i_source_moment(source, 1);
   p->body_r = p->max_r;
+  p->most_r = HUGE_VAL;
+  for (int axis = 0; axis < 3; axis++)
+    if (p->periodic >> axis & 1U)
+      p->most_r = fmin(p->most_r, 0.5 * packing_i_component(p->period, axis));
   for (size_t i = 0; i < store->count; i++)
     p->body_r = fmax(p->body_r, store->r[i]);
   p->equal = !(p->max_r > p->min_r);
   p->reference_r = p->equal ? p->max_r : 0.85 * p->mean_r;
-  p->cap_r = 1.5 * p->max_r;
+  p->wide = p->max_r > PACKING_I_FRONT_RATIO * p->min_r;
+  p->cap = 1.5;
   p->slack = 1e-12 * p->mean_r * p->mean_r;
   const packing_bounds *b = &p->bounds;
   const double far =
       fmax(fmax(fmax(fabs(b->lo.x), fabs(b->hi.x)), fmax(fabs(b->lo.y), fabs(b->hi.y))),
            fmax(fabs(b->lo.z), fabs(b->hi.z)));
   p->touch = fmax(1e-13 * p->min_r, 4 * DBL_EPSILON * far);
+}
+
+/* With too few pockets a front among very different sizes dies out. */
+static size_t litter_for(const packing_i_pockets *p, int narrow)
+{
+  const double ratio = p->max_r / p->min_r;
+  if (narrow)
+    return 3;
+  return ratio < 2.5 ? 2 : ratio < 5 ? 4 : SIZE_MAX;
 }
 
 /* Equal and nearly equal sizes pack best strictly inside out (Bennett's global criterion: C. H.
@@ -49,7 +63,7 @@ static void set_weights(packing_i_pockets *p, const packing_front_def *def)
   p->order = narrow ? 3 : 0.3;
   p->balance = p->equal ? 0 : p->dim == 2 ? 2 : 0.1;
   p->level_step = (narrow ? 0.3 : 2) * p->mean_r;
-  p->litter = !fast ? SIZE_MAX : narrow ? 3 : 2;
+  p->litter = fast ? litter_for(p, narrow) : SIZE_MAX;
 }
 
 /* Tiles: so large that two with one between them touch no common sphere. */
@@ -171,7 +185,7 @@ packing_status packing_i_front_pockets_start(packing_placer *placer,
   p->period = p->domain->body.period;
   p->open_axis = p->domain->body.open_axis;
   p->curved = packing_i_domain_planar(p->domain) == NULL;
-  p->inward = def->direction == PACKING_FRONT_INWARD;
+  p->inward = def->direction == PACKING_FRONT_INWARD && isfinite(head->room);
   set_lengths(p);
   set_weights(p, def);
   placer->method = p;
@@ -213,6 +227,10 @@ static packing_status step(packing_placer *placer, size_t budget)
       tally->unplaced = packing_i_source_unplaced(p->front.source);
       if (p->front.count == 0 && p->front.solid_volume == 0 && tally->unplaced == 0)
         tally->state = PACKING_PLACER_DONE;
+      if (!packing_i_front_wants(&p->front, tally,
+                                 packing_i_ball_volume(p->dim, p->min_r)))
+        tally->state =
+            PACKING_PLACER_DONE; /* the goal is met, or below half a particle */
     }
   }
   tally->progress = packing_i_front_progress(&p->front, placer);

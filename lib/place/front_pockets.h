@@ -27,6 +27,7 @@ enum {
   PACKING_I_BINS_SPARE = 64,
   PACKING_I_FRONT_PLANE = 0x7fffffff, /* wall number of the plane of discs */
   PACKING_I_POCKET_CHUNK = 4096,
+  PACKING_I_FRONT_RATIO = 4,
   PACKING_I_POCKET_TRIES = 4,  /* times a curved wall may move a pocket */
   PACKING_I_FRONT_IMAGES = 125 /* of one sphere, in the smallest cell */
 };
@@ -49,6 +50,7 @@ typedef struct packing_i_pocket {
   uint32_t home;   /* tile in whose list it is */
   uint32_t home_next;
   uint32_t version;
+  float most; /* the largest radius that may fill it */
   uint16_t zone;
   int8_t side;
   uint8_t alive;
@@ -127,12 +129,15 @@ typedef struct packing_i_pockets {
   int inward;
 
   /* lengths */
-  double min_r, max_r, mean_r, reference_r, cap_r;
+  double min_r, max_r, mean_r, reference_r;
+  double cap;    /* exits count up to this times the largest radius of the pocket [1] */
   double body_r; /* largest radius there is or may be */
+  double most_r; /* half the shortest period: larger ones meet themselves */
   double slack;  /* of rooms, in area */
   double touch;  /* overlap that is rounding */
   int curved;    /* walls are not flat */
-  int equal;     /* one size */
+  int wide;  /* sizes so different that small spheres do not see all that large ones do */
+  int equal; /* one size */
 
   /* weights of the score */
   double second, third, order, balance;
@@ -163,6 +168,13 @@ static inline packing_i_pocket *packing_i_pocket_at(const packing_i_pockets *p,
                                                     uint32_t id)
 {
   return p->chunk[id / PACKING_I_POCKET_CHUNK] + id % PACKING_I_POCKET_CHUNK;
+}
+
+/* The largest radius that the pockets of a sphere of radius r are made for: looking farther costs
+ * the cube of the ratio. Larger particles come into pockets of larger spheres. */
+static inline double packing_i_front_most(const packing_i_pockets *p, double r)
+{
+  return PACKING_I_FRONT_RATIO * r < p->max_r ? PACKING_I_FRONT_RATIO * r : p->max_r;
 }
 
 /* ---- front_lane.c: memory of the lanes ---- */

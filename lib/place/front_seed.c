@@ -60,7 +60,7 @@ static int is_free(packing_i_pockets *p, const packing_vec3 *c, double r, int *f
   packing_i_front_image image[PACKING_I_FRONT_IMAGES];
   packing_i_front_images(p, tile, c, image);
   lane->halo.count = 0;
-  *free = packing_i_front_holds(p, c, r) &&
+  *free = r <= p->most_r && packing_i_front_holds(p, c, r) &&
           packing_i_front_grid_gather(&p->grid, p->kernels, image[0].tile,
                                       &image[0].centre, r, p->body_r, &lane->halo);
   for (size_t t = 0; *free && t < lane->halo.count; t++) {
@@ -71,14 +71,17 @@ static int is_free(packing_i_pockets *p, const packing_vec3 *c, double r, int *f
   return PACKING_OK;
 }
 
-/* Takes a radius of the stock and puts it at c. */
+/* Takes a radius that the stock holds and puts it at c. Its place in the stock is looked for:
+ * whatever was taken before has moved it. */
 static packing_status take_and_put(packing_i_pockets *p, const packing_vec3 *c,
-                                   size_t zone, size_t index)
+                                   size_t zone, double r)
 {
-  double r;
+  const packing_i_stock *stock = packing_i_source_stock(p->front.source, zone);
+  double taken;
   size_t component;
-  packing_i_source_take(p->front.source, zone, index, &r, &component);
-  return put_one(p, c, r, component, 0);
+  packing_i_source_take(p->front.source, zone, packing_i_stock_below(stock, r) - 1,
+                        &taken, &component);
+  return put_one(p, c, taken, component, 0);
 }
 
 /* Three discs or four spheres about the innermost point, of the radii in the middle of the stock.
@@ -92,15 +95,11 @@ static packing_status start_group(packing_i_pockets *p, int *placed)
   *placed = 0;
   if (stock->count < members || (p->front.count != 0 && p->front.count < members))
     return PACKING_OK;
-  size_t index[4];
+  const size_t first = stock->count < 8 ? 0 : stock->count / 2 - 2;
   double r[4];
   packing_vec3 c[4];
-  for (size_t n = 0; n < members; n++) {
-    index[n] = stock->count / 2 - 2 + n;
-    if (stock->count < 8)
-      index[n] = n;
-    r[n] = stock->r[index[n]];
-  }
+  for (size_t n = 0; n < members; n++)
+    r[n] = stock->r[first + n];
   c[0] = packing_i_vec(0, 0, 0);
   c[1] = packing_i_vec(r[0] + r[1], 0, 0);
   packing_i_front_body one = packing_i_front_sphere(c[1], r[1], r[0]),
@@ -129,14 +128,15 @@ static packing_status start_group(packing_i_pockets *p, int *placed)
     if (!free)
       return PACKING_OK;
   }
+  solid -= 0.5 * packing_i_ball_volume(p->dim, r[0]); /* the last to be put */
   if (p->front.solid_volume > 0 && solid > p->front.solid_volume)
     return PACKING_OK;
   for (int axis = 0; axis < 3; axis++) /* a group must not meet its own image */
     if ((p->periodic >> axis & 1U) && packing_i_component(p->period, axis) < 6 * p->max_r)
       return PACKING_OK;
   *placed = 1;
-  for (size_t n = members; n-- > 0;) /* the highest index first: the stock closes up */
-    PACKING_I_TRY(take_and_put(p, c + n, zone, index[n]));
+  for (size_t n = members; n-- > 0;)
+    PACKING_I_TRY(take_and_put(p, c + n, zone, r[n]));
   return PACKING_OK;
 }
 
@@ -153,14 +153,17 @@ static packing_vec3 direction(const packing_i_pockets *p, int n)
 
 /* Places one particle at `c`, the largest of the stock that has room; *placed tells. */
 static packing_status try_at(packing_i_pockets *p, const packing_vec3 *c, double r,
-                             size_t zone, size_t index, int *placed)
+                             size_t zone, int *placed)
 {
   int free;
+  if (!packing_i_front_wants(&p->front, &p->placer->tally,
+                             packing_i_ball_volume(p->dim, r)))
+    return PACKING_OK;
   PACKING_I_TRY(is_free(p, c, r, &free));
   if (!free)
     return PACKING_OK;
   *placed = 1;
-  return take_and_put(p, c, zone, index);
+  return take_and_put(p, c, zone, r);
 }
 
 /* One particle at the innermost point, or one that touches particle `touched` of the store. */
@@ -184,7 +187,7 @@ static packing_status start_one(packing_i_pockets *p, size_t touched, int *place
         if (packing_i_source_zone(p->front.source, &c) != zone)
           continue;
       }
-      PACKING_I_TRY(try_at(p, &c, r, zone, some[k], placed));
+      PACKING_I_TRY(try_at(p, &c, r, zone, placed));
     }
   }
   return PACKING_OK;

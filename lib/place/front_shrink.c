@@ -21,7 +21,8 @@ void packing_i_pocket_kill(packing_i_pockets *p, uint32_t id)
 void packing_i_pocket_measure(const packing_i_pockets *p, packing_i_pocket *pocket)
 {
   const double exit = pocket->exit[p->exits - 1];
-  const double far = exit < p->cap_r ? exit : p->cap_r;
+  const double cap = p->cap * (double)pocket->most;
+  const double far = exit < cap ? exit : cap;
   packing_vec3 a, b;
   if (!packing_i_front_curve_at(&pocket->curve, pocket->lo, &a) ||
       !packing_i_front_curve_at(&pocket->curve, far, &b)) {

@@ -2,9 +2,10 @@
 #ifndef PACKING_TOUCH_INTERNAL_H
 #define PACKING_TOUCH_INTERNAL_H
 
-/* What the ways to place a particle in contact share. Tasks are valid: packing_contact_place()
- * sees to that. Side +1 of a task is the side from which the bodies 0, 1, 2 turn counter-clockwise
- * (in two dimensions: to the right, going from body 0 to body 1), and its place comes first. */
+/* What the ways to place a particle in contact share. Tasks are valid:
+ * packing_contact_place() sees to that. Side +1 of a task is the side from which the
+ * bodies 0, 1, 2 turn counter-clockwise (in two dimensions: to the right, going from body
+ * 0 to body 1), and its place comes first. */
 
 #include "shape/shape_internal.h"
 #include "vec.h"
@@ -25,14 +26,16 @@ void packing_i_touch_at(const packing_contact_task *task, packing_vec3 x,
 /* The largest coordinate or radius of the task: what its rounding is relative to. */
 double packing_i_touch_extent(const packing_contact_task *task);
 
-/* A gap that counts as none: 1e-12 of the mobile radius, or 8 rounding units of the extent. */
+/* A gap that counts as none: 1e-12 of the mobile radius, or 8 rounding units of the
+ * extent. */
 double packing_i_touch_tolerance(const packing_contact_task *task);
 
 /* Newton's steps from near a solution, while they bring the worst gap down. */
 packing_vec3 packing_i_touch_polish(const packing_contact_task *task, packing_vec3 x,
                                     packing_i_touch *touch);
 
-/* Levenberg and Marquardt's way from x to where all gaps are 0. Returns whether it came there. */
+/* Levenberg and Marquardt's way from x to where all gaps are 0. Returns whether it came
+ * there. */
 int packing_i_touch_descend(const packing_contact_task *task, packing_vec3 *x);
 
 /* Whether all particles of the task are spheres. */
@@ -40,12 +43,13 @@ int packing_i_touch_all_round(const packing_contact_task *task);
 
 int packing_i_touch_has_walls(const packing_contact_task *task);
 
-/* The first particle of the fixed bodies; the bodies after it in turn give, with it, the side. */
+/* The first particle of the fixed bodies; the bodies after it in turn give, with it, the
+ * side. */
 int packing_i_touch_first(const packing_contact_task *task);
 
-/* A point from which all walls of the task are seen: `from` itself or the centre of a particle
- * (edges and facets of polygons and meshes are not seen from everywhere). Returns 0 where there is
- * none. */
+/* A point from which all walls of the task are seen: `from` itself or the centre of a
+ * particle (edges and facets of polygons and meshes are not seen from everywhere).
+ * Returns 0 where there is none. */
 int packing_i_touch_view(const packing_contact_task *task, packing_vec3 *from);
 
 /* The line along which the approximate methods come (section 3.4.3). */
@@ -71,8 +75,8 @@ static inline packing_body packing_i_touch_mobile(const packing_contact_task *ta
   return mobile;
 }
 
-/* Places on side +1, then on side -1: packing_i_touch_sides() calls `find`, which returns whether
- * there is one, and leaves out the second where it is the first (a double root). */
+/* Places on side +1, then on side -1: packing_i_touch_sides() calls `find`, which returns
+ * whether there is one, and leaves out the second where it is the first one. */
 typedef int (*packing_i_touch_find)(const packing_contact_task *task, int side,
                                     packing_vec3 *x);
 int packing_i_touch_sides(const packing_contact_task *task, packing_i_touch_find find,

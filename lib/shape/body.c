@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gaps between bodies (seed 001, equation 1): positive apart, 0 in outer contact, negative where
- * the insides overlap.
+/* Gaps between bodies (Perez Morales et al., equation 1): positive apart, 0 in outer
+ * contact, negative where the insides overlap.
  *
  *   spheres, discs   |c_1 - c_2| - (r_1 + r_2), the same to the bit when they are swapped
  *   wall             the distance of the centre from the wall, less the radius
@@ -29,9 +29,9 @@ static int is_plain(const packing_domain *domain)
          packing_i_domain_round(domain) != NULL || packing_i_domain_axis(domain) >= 0;
 }
 
-/* Distance from one of the container's walls. Containers with walls without number tell the nearest
- * few within reach, and the search costs more the farther it goes: it begins within a few radii and
- * ends when it has been everywhere, or other walls are nearer. */
+/* Distance from one of the container's walls. Containers with walls without number tell
+ * the nearest few within reach, and the search costs more the farther it goes: it begins
+ * within a few radii and ends when it has been everywhere, or other walls are nearer. */
 static double numbered_wall(const packing_body *a, const packing_domain *domain, int wall,
                             packing_vec3 *normal)
 {

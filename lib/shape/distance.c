@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Directional distance (seed 001, 3.4.3, equations 4 to 10): the least t >= 0 at which a body
- * moved by t v touches another, infinity if it never does.
+/* Directional distance (Perez Morales et al., 3.4.3, equations 4 to 10): the least t >= 0
+ * at which a body moved by t v touches another, infinity if it never does.
  *
- * Spheres: w from the fixed to the mobile centre, s the sum of the radii; |w + t v| = s has the
- * roots of A t^2 + B t + C, A = v.v, B = 2 w.v, C = w.w - s^2. The first root counts, where the
- * body comes nearer (B < 0) and the discriminant is not negative; with h^2 = s^2 - |w_perp|^2,
- * what is left of the radii at the closest approach,
+ * Spheres: w from the fixed to the mobile centre, s the sum of the radii; |w + t v| = s
+ * has the roots of A t^2 + B t + C, A = v.v, B = 2 w.v, C = w.w - s^2. The first root
+ * counts, where the body comes nearer (B < 0) and the discriminant is not negative; with
+ * h^2 = s^2 - |w_perp|^2, what is left of the radii at the closest approach,
  *
  *   t = C / (-w.v + sqrt(A h^2)),
  *
- * in which nothing cancels, neither in the denominator nor, far away, in the discriminant.
- * Departure: where the ray misses, the paper gives the closest approach -B / (2 A), and 0 when the
- * body moves away; both are no contact, and here they are infinity.
+ * in which nothing cancels, neither in the denominator nor, far away, in the
+ * discriminant. Departure: where the ray misses, the paper gives the closest approach -B
+ * / (2 A), and 0 when the body moves away; both are no contact, and here they are
+ * infinity.
  *
- * Walls of built-in containers: wall_distance.c; the rest: march.c. Constant time, but for the
- * rest. */
+ * Walls of built-in containers: wall_distance.c; the rest: march.c. Constant time, but
+ * for the rest. */
 #include "domain/domain_internal.h"
 #include "shape_internal.h"
 
@@ -37,7 +38,7 @@ double packing_i_sphere_distance(packing_vec3 apart, double reach,
   return room > 0 ? room / (half - along) : 0;
 }
 
-/* A sphere around each body: between meeting and parting of those the bodies may touch. */
+/* Spheres around the bodies: while those overlap the bodies may touch. */
 static double from_particle(const packing_body *a, const packing_body *b,
                             const packing_vec3 *direction)
 {
@@ -52,8 +53,9 @@ static double from_particle(const packing_body *a, const packing_body *b,
   return isfinite(from) ? packing_i_march(a, b, direction, from, to) : HUGE_VAL;
 }
 
-/* The sphere around a body touches a wall no later than the body. Walls end with the container,
- * or go on above an open top; a few sizes away there is nothing to be touched. */
+/* The sphere around a body touches a wall no later than the body. Walls end with the
+ * container, or go on above an open top; a few sizes away there is nothing to
+ * be touched. */
 static double from_wall(const packing_body *a, const packing_body *wall,
                         const packing_vec3 *direction)
 {

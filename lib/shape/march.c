@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Directional distance from the gap alone, by conservative advancement: the gap changes by no more
- * than the way gone, so that a body at a gap of g can go on by g (B. Mirtich, Impulse-based
- * dynamic simulation, 1996; J. C. Hart's sphere tracing, Vis. Comput. 12, 527, 1996). Towards a
- * contact that comes in at a slant the steps shrink for ever; so no step is shorter than 2^-16 of
- * the body's radius, and where one steps into an overlap, bisection goes back to its begin. What is
- * passed unseen is an overlap shorter than one such step, and as deep as half of it at most; of
- * smooth bodies as large as the mobile one, 3e-11 of the radius.
+/* Directional distance from the gap alone, by conservative advancement: the gap changes
+ * by no more than the way gone, so that a body at a gap of g can go on by g (B. Mirtich,
+ * Impulse-based dynamic simulation, 1996; J. C. Hart's sphere tracing, Vis. Comput. 12,
+ * 527, 1996). Towards a contact that comes in at a slant the steps shrink for ever; so no
+ * step is shorter than 2^-16 of the body's radius, and where one steps into an overlap,
+ * bisection goes back to its begin. What is passed unseen is an overlap shorter than one
+ * such step, and as deep as half of it at most; of smooth bodies as large as the mobile
+ * one, 3e-11 of the radius.
  *
  * Cost: some 10 to 100 gaps; at worst, sliding along, 65536 for each radius of way. */
 #include "shape_internal.h"
@@ -54,7 +55,8 @@ double packing_i_march(const packing_body *a, const packing_body *b,
   const double noise = noise_of(&w, isfinite(to) ? to : 0);
   const double least = a->r * 0x1p-16;
   double t = from, gap = gap_at(&w, t);
-  /* Bodies that overlap already touch if they go on into each other; else they are let out. */
+  /* Bodies that overlap already touch if they go on into each other; else they are let
+   * out. */
   int out = !(gap < -noise);
   if (!out && !(gap_at(&w, t + least) > gap))
     return t;

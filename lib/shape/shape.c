@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shapes: life, names, volume and inertia. The sphere (disc) is the shape NULL; its volume is
- * that of lib/math, its moments of inertia are 2/5 m r^2 (sphere) and m r^2 / 2 (disc). */
+/* Shapes: life, names, volume and inertia. The sphere (disc) is the shape NULL; its
+ * volume is that of lib/math, its moments of inertia are 2/5 m r^2 (sphere) and m r^2 / 2
+ * (disc). */
 #include "shape_internal.h"
 #include <string.h>
 

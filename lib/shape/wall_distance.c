@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far a sphere of radius r can go until it touches a wall of a built-in container. All their
- * walls are of one form: with rho the length of the part w + t u of the way across an axis (or of
- * all of it, around a centre) and h + t k the height along the axis, the sphere's gap is
+/* How far a sphere of radius r can go until it touches a wall of a built-in container.
+ * All their walls are of one form: with rho the length of the part w + t u of the way
+ * across an axis (or of all of it, around a centre) and h + t k the height along the
+ * axis, the sphere's gap is
  *
  *   f(t) = a |w + t u| + b (h + t k) + c - r,   a^2 + b^2 = 1,
  *
- * a plane where a = 0, a cylinder where b = 0, else a cone; with w and u in full a sphere. The
- * roots of f are those of |w + t u|^2 = (E + F t)^2 with E + F t >= 0, a quadratic; the first at
- * which f falls is the contact (a concave wall may be touched at the start, left, and met again
- * on the other side). A step of Newton's method on f itself takes away what cancelled in the
- * quadratic. Constant time. */
+ * a plane where a = 0, a cylinder where b = 0, else a cone; with w and u in full a
+ * sphere. The roots of f are those of |w + t u|^2 = (E + F t)^2 with E + F t >= 0, a
+ * quadratic; the first at which f falls is the contact (a concave wall may be touched at
+ * the start, left, and met again on the other side). Its last coefficient is taken as
+ * (|w| - E) (|w| + E), so that little is lost next to a wall. Constant time. */
 #include "domain/domain_internal.h"
 #include "shape_internal.h"
 
-enum { WALLS_MOST = 6, POLISH = 2 };
+enum { WALLS_MOST = 6 };
 
 /* f(t), as above; c holds - r. */
 typedef struct course {
@@ -29,19 +30,6 @@ static double gap_at(const course *f, double t, double *slope)
   const double rate = rho > 0 ? packing_i_dot(across, f->u) / rho : packing_i_norm(f->u);
   *slope = f->a * rate + f->b * f->k;
   return f->a * rho + f->b * (f->h + f->k * t) + f->c;
-}
-
-/* Newton's step, not taken where the sphere grazes. */
-static double polished(const course *f, double t)
-{
-  for (int i = 0; i < POLISH; i++) {
-    double slope;
-    const double gap = gap_at(f, t, &slope);
-    if (!(slope < -1e-6))
-      break;
-    t -= gap / slope;
-  }
-  return t > 0 ? t : 0;
 }
 
 /* The roots of |w + t u|^2 = (e + k t)^2; infinity where there are none. */
@@ -82,7 +70,7 @@ static double first_contact(const course *f)
     if (wanted >= 0 && slope < 0)
       first = t[i];
   }
-  return isfinite(first) ? polished(f, first) : HUGE_VAL;
+  return first;
 }
 
 static int planar_course(const packing_i_planar *p, int wall, const packing_body *a,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The four ways to place a particle in contact: nanoseconds a task (both places), spheres of radii
- * in [0.7, 1.3] around a gap, alone and with a flat and a curved wall; and tasks without a place.
+/* The four ways to place a particle in contact: nanoseconds a task (both places), spheres
+ * of radii in [0.7, 1.3] around a gap, alone and with a flat and a curved wall; and tasks
+ * without a place.
  *
  *   meson test -C build --benchmark tangency -v */
 #define _POSIX_C_SOURCE 199309L

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random tasks for the four contact methods: discs, spheres, clusters, sizes up to 1:1000. Each is
- * held against another way to the same answer. */
+/* Random tasks for the four contact methods: discs, spheres, clusters, sizes up to
+ * 1:1000. Each is held against another way to the same answer. */
 #include "touching.h"
 
 static const char *const names[] = {"wrappers", "potential", "binary", "direct"};
@@ -71,8 +71,8 @@ static packing_vec3 on_ring(const ring *c, double angle)
   return along(along(c->centre, c->r * cos(angle), c->u), c->r * sin(angle), c->v);
 }
 
-/* Signs of the last gap around the ring, each change halved 60 times. Returns how many there
- * are; `clear`: how near to 0 the gap comes without changing its sign. */
+/* Signs of the last gap around the ring, each change halved 60 times. Returns how many
+ * there are; `clear`: how near to 0 the gap comes without changing its sign. */
 static int oracle(const packing_contact_task *task, packing_vec3 place_at[2],
                   double *clear)
 {
@@ -149,16 +149,20 @@ static void sizes_far_apart(void **state)
     const double limit = 4 * 2.2e-16 * touching_extent(&task);
     for (int k = 0; k < count; k++)
       assert_near(touching_worst(&task, a[k]), 0.0, limit);
-    /* Where two places all but meet the potential may take them for one, or none for one. */
+    /* Where two places all but meet the potential may take them for
+     * one, or none for one. */
     if (count == 2 && touching_apart(a[0], a[1]) < 1e-2 * task.mobile.r)
       continue;
     found += count;
     const int other = place(1, &task, b);
     if (count > 0)
       assert_int_equal(other, count);
-    for (int k = 0; k < other; k++)
+    for (int k = 0; k < other; k++) {
       assert_near(touching_worst(&task, b[k]), 0.0,
                   fmax(1e-12 * task.mobile.r, 2 * limit));
+      if (count > 0)
+        assert_near(touching_apart(a[k], b[k]), 0.0, 1e-6 * task.mobile.r);
+    }
   }
   assert_true(found > 2000);
 }
@@ -231,8 +235,8 @@ static packing_contact_task cluster_task(uint64_t *random, int dim,
   return task;
 }
 
-/* Three methods on the test shape: never more than two places, all in contact, none overlapping;
- * the bisection ends where the ray cast does. */
+/* Three methods on the test shape: never more than two places, all in contact, none
+ * overlapping; the bisection ends where the ray cast does. */
 static void clusters(void **state)
 {
   (void)state;

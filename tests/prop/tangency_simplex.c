@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Equation 2 as the paper has it: the sum of the gaps' sizes, minimised by Nelder and Mead's
- * simplex (GSL), which does not mind kinks. Slow and only good to some 1e-8, it is the oracle of
- * the potential method, which solves for the gaps instead. */
+/* Equation 2 as the paper has it: the sum of the gaps' sizes, minimised by Nelder and
+ * Mead's simplex (GSL), which does not mind kinks. Slow and only good to some 1e-8, it is
+ * the oracle of the potential method, which solves for the gaps instead. */
 #include "touching.h"
 #include <gsl/gsl_multimin.h>
 
@@ -48,8 +48,8 @@ static double minimise(packing_contact_task *task, packing_vec3 *x)
   return sum;
 }
 
-/* From the places of the potential the simplex wins nothing, and from beside them it comes back to
- * one of them. */
+/* From the places of the potential the simplex wins nothing, and from beside them it
+ * comes back to one of them. */
 static void spheres(void **state)
 {
   (void)state;
@@ -75,8 +75,8 @@ static void spheres(void **state)
   assert_true(back >= 0.9 * tried);
 }
 
-/* Where several starts of the simplex find contact with all of three bodies, clusters among them,
- * so does the potential. */
+/* Where several starts of the simplex find contact with all of three bodies, clusters
+ * among them, so does the potential. */
 static void clusters(void **state)
 {
   (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Placing in contact with walls of every kind of container: tasks made round a particle that
- * touches all their bodies, which the exact methods must find again; the approximate ones come to a
- * free place in contact with something. */
+/* Placing in contact with walls of every kind of container: tasks made round a particle
+ * that touches all their bodies, which the exact methods must find again; the approximate
+ * ones come to a free place in contact with something. */
 #include "touching.h"
 
 enum { TASKS = 400, TRIES = 400 };
@@ -20,7 +20,8 @@ static const scene scenes[] = {
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
-/* Brings the particle into touch with walls. Returns whether it touches them and is inside. */
+/* Brings the particle into touch with walls. Returns whether it touches them and is
+ * inside. */
 static int against(packing_body *mobile, const packing_domain *domain, int walls,
                    const int wall[2])
 {
@@ -95,7 +96,8 @@ static double spread(const packing_contact_task *task)
               n[0].z * (n[1].x * n[2].y - n[1].y * n[2].x));
 }
 
-/* Whether the place the task was made round is among those found; *places grows by how many are. */
+/* Whether the place the task was made round is among those found; *places grows by how
+ * many are. */
 static int finds(const packing_contact_method *method, const packing_contact_task *task,
                  int *places)
 {

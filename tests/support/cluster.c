@@ -14,7 +14,7 @@ int test_clusters_alive(void)
   return alive;
 }
 
-/* The body's spheres; returns how many. Bodies of other shapes than clusters are spheres. */
+/* The body's spheres; returns how many. Bodies of other shapes are spheres. */
 static int members(const cluster *shape, const packing_body *body, packing_body member[2])
 {
   if (body->shape == NULL) {

@@ -2,13 +2,13 @@
 #ifndef PACKING_TEST_CLUSTER_H
 #define PACKING_TEST_CLUSTER_H
 
-/* A shape of the user's own: two equal spheres (discs) that share their middle and reach to the
- * ends of a diameter of the circumscribed sphere, along x where the orientation is 1, 0, 0, 0.
- * Everything about it is exact. It knows itself and spheres. */
+/* A shape of the user's own: two equal spheres (discs) that share their middle and reach
+ * to the ends of a diameter of the circumscribed sphere, along x where the orientation is
+ * 1, 0, 0, 0. Everything about it is exact. It knows itself and spheres. */
 #include "test.h"
 
-/* A cluster whose spheres have the radius `share` r, share in [0.5, 1]; with share 1 it is a
- * sphere. `with_distance` 0: the directional distance is left to the library. */
+/* A cluster whose spheres have the radius `share` r, share in [0.5, 1]; with share 1 it
+ * is a sphere. `with_distance` 0: the directional distance is left to the library. */
 packing_shape *test_cluster(double share, int with_distance);
 
 /* The same through a context, which may fail. */

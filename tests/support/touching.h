@@ -95,8 +95,8 @@ static inline double touching_radius(uint64_t *random, double ratio)
   return exp(log(ratio) * scene_random(random));
 }
 
-/* Spheres or discs around a particle that touches all but for a share `loose` of their distance.
- * They do not overlap. */
+/* Spheres or discs around a particle that touches all but for a share `loose` of their
+ * distance. They do not overlap. */
 static inline packing_contact_task touching_random(uint64_t *random, int dim,
                                                    double ratio, double loose)
 {

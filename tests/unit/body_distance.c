@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Directional distances (F9): the four cases of Figure 8, rays among spheres, clusters and walls
- * against a dense scan and bisection of the gap. */
+/* Directional distances (F9): the four cases of Figure 8, rays among spheres, clusters
+ * and walls against a dense scan and bisection of the gap. */
 #include "cluster.h"
 #include "domain_scenes.h"
 
@@ -16,7 +16,8 @@ static double distance(packing_body a, packing_body b, double x, double y, doubl
   return packing_body_distance(&a, &b, &direction);
 }
 
-/* Figure 8: towards and hit, towards and missed, away (twice). Only the first is a contact. */
+/* Figure 8: towards and hit, towards and missed, away (twice). Only the first is a
+ * contact. */
 static void figure_8(void **state)
 {
   (void)state;
@@ -45,7 +46,8 @@ static void borders(void **state)
   assert_true(distance(sphere(nextafter(-5, 0), 0, 0, 3), fixed, -1, 0, 0) == HUGE_VAL);
 }
 
-/* From far away nothing cancels: 1e8 radii off the contact is met to rounding of the way. */
+/* From far away nothing cancels: 1e8 radii off the contact is met to
+ * rounding of the way. */
 static void far_away(void **state)
 {
   (void)state;
@@ -104,7 +106,8 @@ static packing_body random_body(uint64_t *random, const packing_shape *shape, in
   return body;
 }
 
-/* Spheres and clusters; the library's own way from the gap finds the cluster's exact distance. */
+/* Spheres and clusters; the library's own way from the gap finds the cluster's exact
+ * distance. */
 static void among_particles(void **state)
 {
   (void)state;
@@ -155,6 +158,16 @@ static void from_the_gap(void **state)
   a.orientation[0] = a.orientation[2] = sqrt(0.5);
   assert_near(distance(a, fixed, 1, 0, 0), 5 - sqrt(1.5 * 1.5 - 0.25), 1e-14);
   packing_shape_destroy(plain);
+
+  /* All but grazing: an overlap of 1e-6 on a way of 4e-3. */
+  packing_shape *round = test_cluster(1, 0);
+  packing_body b = sphere(-5, 2 - 1e-6, 0, 1);
+  const double way = distance(b, fixed, 1, 0, 0);
+  b.shape = round;
+  b.orientation[0] = 1;
+  assert_near(way, 5 - 2e-3, 1e-8);
+  assert_near(distance(b, fixed, 1, 0, 0), way, 1e-11);
+  packing_shape_destroy(round);
 }
 
 static packing_body wall(const packing_domain *domain, int number)
@@ -171,7 +184,8 @@ static double custom_distance(void *user, const packing_vec3 *point, packing_vec
   return packing_domain_signed_distance(user, point, normal);
 }
 
-/* A container of the user's with the distances of another one: no closed form is known. */
+/* A container of the user's with the distances of another one: no closed form is
+ * known. */
 static packing_domain *disguised(packing_domain *domain)
 {
   packing_domain_custom_def def;
@@ -262,6 +276,20 @@ static void across_a_cylinder(void **state)
   assert_near(distance(a, all, -1, 0, 0), 8, 1e-14);
   assert_near(distance(a, all, -0.6, 0.8, 0), 4.8, 1e-14);
   assert_true(distance(a, all, 0.6, 0.8, 0) == 0);
+  /* Protruding: touching when it goes on, let out when it comes back. */
+  assert_true(distance(sphere(4.5, 0, 10, 1), all, 1, 0, 0) == 0);
+  assert_near(distance(sphere(4.5, 0, 10, 1), all, -1, 0, 0), 8.5, 1e-14);
+  packing_domain_destroy(domain);
+}
+
+/* Past the tip of a cone, outside: the cone's other half is no wall. */
+static void past_a_tip(void **state)
+{
+  (void)state;
+  const scene s = {.kind = SCENE_CONE, .a = 3, .b = 0, .c = 2, .axis = 2};
+  packing_domain *domain = scene_make(&s);
+  for (int k = 0; k < 3; k++)
+    assert_true(distance(sphere(-1, 0, 2.5, 0.1), wall(domain, k), 1, 0, 0) == HUGE_VAL);
   packing_domain_destroy(domain);
 }
 
@@ -271,7 +299,7 @@ int main(void)
       cmocka_unit_test(figure_8),          cmocka_unit_test(borders),
       cmocka_unit_test(far_away),          cmocka_unit_test(among_particles),
       cmocka_unit_test(from_the_gap),      cmocka_unit_test(to_walls),
-      cmocka_unit_test(across_a_cylinder),
+      cmocka_unit_test(across_a_cylinder), cmocka_unit_test(past_a_tip),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The four ways to place a particle in contact, where the answer is known by hand, and what they
- * refuse. */
+/* The four ways to place a particle in contact, where the answer is known by hand, and
+ * what they refuse. */
 #include "touching.h"
 
 static const char *const names[] = {"wrappers", "potential", "binary", "direct"};
@@ -11,8 +11,8 @@ static int place(const char *name, const packing_contact_task *task,
   return packing_contact_place(packing_contact_method_named(name), task, centre);
 }
 
-/* Radii a, b, c of spheres that touch one another: the first at the origin, the second on the x
- * axis, the third in the plane z = 0. */
+/* Radii a, b, c of spheres that touch one another: the first at the origin, the second on
+ * the x axis, the third in the plane z = 0. */
 static packing_contact_task triple(double a, double b, double c, double r)
 {
   packing_contact_task task = touching_task(3, r);
@@ -43,7 +43,8 @@ static double approach(const packing_contact_task *task, packing_vec3 *mean)
   return most;
 }
 
-/* Three unit spheres and r = 1: all four methods at the height sqrt(8/3), above and below. */
+/* Three unit spheres and r = 1: all four methods at the height sqrt(8/3), above and
+ * below. */
 static void unit_spheres(void **state)
 {
   (void)state;
@@ -345,7 +346,8 @@ static int at_seven(void *user, const packing_contact_task *task, packing_vec3 c
   return 1;
 }
 
-/* A method of the host's own; and tasks that make no sense have no places, whatever the method. */
+/* A method of the host's own; and tasks that make no sense have no places, whatever the
+ * method. */
 static void tasks_without_sense(void **state)
 {
   (void)state;

@@ -124,8 +124,7 @@ static void test_points_far_off(void **state)
   shape *s = shape_of(SHAPE_CUBE);
   packing_domain *domain = shape_domain(s, 1);
   packing_vec3 n;
-  const packing_vec3 points[] = {
-      {1e200, 0, 0}, {HUGE_VAL, 0, 0}, {0, -HUGE_VAL, 0}};
+  const packing_vec3 points[] = {{1e200, 0, 0}, {HUGE_VAL, 0, 0}, {0, -HUGE_VAL, 0}};
   for (int i = 0; i < 3; i++) {
     assert_true(packing_domain_signed_distance(domain, &points[i], &n) < 0);
     assert_false(packing_domain_holds(domain, &points[i], 0));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shapes as handles, their volumes and moments; gaps and overlaps of bodies (F6), also of the
- * two-sphere cluster; walls and clearance. */
+/* Shapes as handles, their volumes and moments; gaps and overlaps of bodies (F6), also of
+ * the two-sphere cluster; walls and clearance. */
 #include "cluster.h"
 #include "domain_scenes.h"
 
@@ -227,8 +227,8 @@ static int holds(const packing_body *body, packing_vec3 p)
   return packing_body_gap(body, &point) < 0;
 }
 
-/* Random pairs: swapped they have the same gap; it changes by no more than the way gone; where it
- * is positive no point lies in both, where it is negative one does. */
+/* Random pairs: swapped they have the same gap; it changes by no more than the way gone;
+ * where it is positive no point lies in both, where it is negative one does. */
 static void gaps_of_random_pairs(void **state)
 {
   (void)state;
