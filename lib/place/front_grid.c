@@ -164,6 +164,11 @@ packing_status packing_i_front_tile_note(packing_i_front_grid *grid, uint32_t ti
   return PACKING_OK;
 }
 
+void packing_i_front_tile_forget(packing_i_front_grid *grid, uint32_t tile)
+{
+  grid->list[grid->tile[tile].list].count--;
+}
+
 /* ---- cells ---- */
 
 int packing_i_front_grid_reserve_bins(packing_i_front_grid *grid)

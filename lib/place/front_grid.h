@@ -80,6 +80,9 @@ int packing_i_front_grid_reserve_bins(packing_i_front_grid *grid);
 packing_status packing_i_front_tile_note(packing_i_front_grid *grid, uint32_t tile,
                                          uint32_t index);
 
+/* Takes the last note of the tile back. */
+void packing_i_front_tile_forget(packing_i_front_grid *grid, uint32_t tile);
+
 /* Adds a sphere to its cell near *tile, taking a bin from *free_bin if need be (which holds
  * one); returns its place, and in *tile the tile of the cell. The tiles around exist. */
 uint32_t packing_i_front_grid_insert(packing_i_front_grid *grid, uint32_t *tile,

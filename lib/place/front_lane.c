@@ -140,9 +140,11 @@ packing_status packing_i_lane_stock_up(packing_i_pockets *p, packing_i_front_lan
     p->free_pocket = id;
     p->free_pockets++;
   }
-  for (size_t n = lane->free_pockets < LOW ? LOW : 0; n > 0; n--) {
-    if (p->free_pockets == 0 && !make_pockets(p))
+  /* First what can fail: which pockets the lane gets must not depend on it. */
+  while (lane->free_pockets < LOW && p->free_pockets < LOW)
+    if (!make_pockets(p))
       return packing_i_nomem(p->placer->context);
+  for (size_t n = lane->free_pockets < LOW ? LOW : 0; n > 0; n--) {
     const uint32_t id = p->free_pocket;
     p->free_pocket = packing_i_pocket_at(p, id)->next;
     p->free_pockets--;

@@ -190,9 +190,11 @@ packing_status packing_i_front_pockets_start(packing_placer *placer,
   set_weights(p, def);
   placer->method = p;
   placer->ops = &packing_i_front_pockets_ops;
+  const size_t stood = placer->particles->count;
   const packing_status status =
       start(p, def, packing_i_source_stock(head->source, 0)->count);
   if (status != PACKING_OK) {
+    packing_particles_truncate(placer->particles, stood);
     p->front.source = NULL; /* still the caller's */
     if (p->lane != NULL)
       p->lane[0].source = NULL;

@@ -99,10 +99,12 @@ typedef struct packing_i_front_lane {
   size_t heap_count, heap_room;
   packing_i_front_placed *placed;
   size_t placed_count, placed_room;
+  size_t collected; /* of them, taken over already */
   size_t particles; /* of them, images not counted */
   double volume;    /* theirs */
   uint32_t *outbox; /* new pockets at home in other tiles */
   size_t outbox_count, outbox_room;
+  size_t delivered;   /* of them, brought home already */
   size_t quota;       /* this round */
   double volume_left; /* this round; infinite: no limit */
   uint32_t at_work;   /* the tile being worked on */
@@ -149,6 +151,7 @@ typedef struct packing_i_pockets {
   int idle_colours; /* in a row, of this level */
   int colours;
   size_t active;  /* lanes at work in this round */
+  int owed;       /* what the lanes did is not taken over yet */
   uint32_t *live; /* tiles with pockets */
   size_t live_count, live_room;
 
@@ -161,7 +164,9 @@ typedef struct packing_i_pockets {
   packing_i_front_lane *lane;
   size_t lanes;
   size_t halo_room;
-  int reseeds;
+  size_t youngest; /* particles there were when the last of them was tried */
+  size_t oldest;   /* the next to be tried in their order */
+  int reseeds;     /* tried in vain, in a row */
 } packing_i_pockets;
 
 static inline packing_i_pocket *packing_i_pocket_at(const packing_i_pockets *p,
@@ -258,6 +263,9 @@ packing_status packing_i_front_prepare_images(packing_i_pockets *p, uint32_t til
 packing_status packing_i_front_enter_store(packing_i_pockets *p);
 /* Places the first particles, until there are pockets or nothing more can be placed. */
 packing_status packing_i_front_seed(packing_i_pockets *p);
+/* No pocket is left: places a particle beside one that stands, where there is room. *go_on: there
+ * may be more to do. */
+packing_status packing_i_front_reseed(packing_i_pockets *p, int *go_on);
 
 /* ---- front_round.c ---- */
 

@@ -71,14 +71,13 @@ static packing_status make_live(packing_i_pockets *p, uint32_t tile)
   return PACKING_OK;
 }
 
+/* All or nothing, so that it can be repeated. */
 static packing_status collect_one(packing_i_pockets *p, const packing_i_front_placed *q,
                                   size_t stored)
 {
   packing_placer *placer = p->placer;
-  if (!q->image && !stored)
-    PACKING_I_TRY(packing_i_placer_put(placer, q->centre, q->r, q->component));
-  const uint32_t index =
-      (uint32_t)((stored != 0 ? stored : placer->particles->count) - 1);
+  const size_t after = placer->particles->count + (size_t)(!q->image && !stored);
+  const uint32_t index = (uint32_t)((stored != 0 ? stored : after) - 1);
   unsigned k;
   packing_i_front_bin *bin = packing_i_front_bin_of(&p->grid, q->place, &k);
   bin->index[k] = index;
@@ -88,29 +87,36 @@ static packing_status collect_one(packing_i_pockets *p, const packing_i_front_pl
   }
   if (packing_i_front_tile_note(&p->grid, q->tile, index) != PACKING_OK)
     return packing_i_nomem(placer->context);
-  return PACKING_OK;
+  if (stored)
+    return PACKING_OK;
+  const packing_status status =
+      packing_i_placer_put(placer, q->centre, q->r, q->component);
+  if (status != PACKING_OK)
+    packing_i_front_tile_forget(&p->grid, q->tile);
+  return status;
 }
 
 static packing_status bring_home(packing_i_pockets *p, uint32_t id)
 {
   packing_i_pocket *pocket = packing_i_pocket_at(p, id);
   packing_i_front_tile *tile = p->grid.tile + pocket->home;
+  PACKING_I_TRY(make_live(p, pocket->home));
   pocket->home_next = tile->pockets;
   tile->pockets = id;
   if (pocket->key < tile->next_key)
     tile->next_key = pocket->key;
-  return make_live(p, pocket->home);
+  return PACKING_OK;
 }
 
 packing_status packing_i_front_collect(packing_i_pockets *p, packing_i_front_lane *lane,
                                        size_t stored)
 {
-  for (size_t n = 0; n < lane->placed_count; n++)
-    PACKING_I_TRY(collect_one(p, lane->placed + n, stored));
-  lane->placed_count = 0;
-  for (size_t n = 0; n < lane->outbox_count; n++)
-    PACKING_I_TRY(bring_home(p, lane->outbox[n]));
-  lane->outbox_count = 0;
+  for (; lane->collected < lane->placed_count; lane->collected++)
+    PACKING_I_TRY(collect_one(p, lane->placed + lane->collected, stored));
+  lane->placed_count = lane->collected = 0;
+  for (; lane->delivered < lane->outbox_count; lane->delivered++)
+    PACKING_I_TRY(bring_home(p, lane->outbox[lane->delivered]));
+  lane->outbox_count = lane->delivered = 0;
   lane->particles = 0;
   p->placer->tally.attempts += lane->attempts;
   lane->attempts = 0;
@@ -281,8 +287,9 @@ static packing_status feed(packing_i_pockets *p)
 
 static packing_status take_over(packing_i_pockets *p)
 {
+  p->owed = 1;
   int halo = 0, finished = 1;
-  for (size_t l = 0; l < p->active; l++) {
+  for (size_t l = 0; l < p->lanes; l++) { /* those at rest owe nothing */
     packing_i_front_lane *lane = p->lane + l;
     PACKING_I_TRY(packing_i_front_collect(p, lane, 0));
     halo |= lane->starved == 2;
@@ -290,6 +297,7 @@ static packing_status take_over(packing_i_pockets *p)
     if (lane->met)
       p->placer->tally.state = PACKING_PLACER_DONE;
   }
+  p->owed = 0;
   if (finished)
     p->active = 0;
   if (!halo)
@@ -361,23 +369,29 @@ static packing_status next_colour(packing_i_pockets *p, size_t lanes, int *done)
     }
   }
   p->idle_colours = 0;
-  p->active = lanes;
   for (size_t l = 0; l < lanes; l++)
     for (size_t n = 0; n < p->lane[l].todo_count; n++)
       PACKING_I_TRY(packing_i_front_prepare(p, p->lane[l].todo[n]));
+  p->active = lanes;
   return PACKING_OK;
 }
 
 packing_status packing_i_front_round(packing_i_pockets *p, int *done)
 {
   *done = 0;
+  if (p->owed) /* memory was short; what was done counts all the same */
+    return take_over(p);
   const size_t lanes = ration(p);
   if (p->active > lanes)
     call_back(p);
   if (p->active == 0)
     PACKING_I_TRY(next_colour(p, lanes, done));
-  if (*done)
+  if (*done) {
+    int go_on;
+    PACKING_I_TRY(packing_i_front_reseed(p, &go_on));
+    *done = !go_on;
     return PACKING_OK;
+  }
   PACKING_I_TRY(feed(p));
   packing_i_parallel(p->placer->context, p->active, work, p);
   return take_over(p);

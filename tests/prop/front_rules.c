@@ -159,6 +159,9 @@ static void obstacles(void **state)
           for (size_t i = 0; i < stood; i++)
             assert_true(front_centre(store, i).x == before[i]);
           free_of_obstacles(domain, store, stood);
+          if (report.placed <= (dim == 2 ? 10 : 60))
+            print_message("dim %d periodic %u which %u way %d: %zu\n", dim, periodic,
+                          which, way, report.placed);
           assert_true(report.placed > (dim == 2 ? 10 : 60));
           packing_particles_destroy(store);
           packing_psd_destroy(psd);
