@@ -134,6 +134,7 @@ static packing_status start(packing_i_pockets *p, const packing_front_def *def,
   if (n < 1e9) /* a guess: the store grows beyond it if need be */
     PACKING_I_TRY(packing_particles_reserve(
         placer->particles, placer->particles->count + (size_t)(1.02 * n) + 16));
+  packing_i_front_search_begin(p, 0);
   PACKING_I_TRY(packing_i_front_enter_store(p));
   return p->live_count > 0 ? PACKING_OK : packing_i_front_seed(p);
 }

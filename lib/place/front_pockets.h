@@ -27,8 +27,9 @@ enum {
   PACKING_I_BINS_SPARE = 64,
   PACKING_I_FRONT_PLANE = 0x7fffffff, /* wall number of the plane of discs */
   PACKING_I_POCKET_CHUNK = 4096,
-  PACKING_I_POCKET_TRIES = 4,  /* times a curved wall may move a pocket */
-  PACKING_I_FRONT_IMAGES = 125 /* of one sphere, in the smallest cell */
+  PACKING_I_POCKET_TRIES = 4,   /* times a curved wall may move a pocket */
+  PACKING_I_FRONT_IMAGES = 125, /* of one sphere, in the smallest cell */
+  PACKING_I_SEARCH_LEVELS = 60
 };
 
 /* Whether a body of a halo or pocket is a wall of the container. */
@@ -114,6 +115,21 @@ typedef struct packing_i_front_lane {
   void *block; /* all the arrays above */
 } packing_i_front_lane;
 
+/* 2^level tiles along each axis. */
+typedef struct packing_i_front_block {
+  int64_t at[3]; /* the lowest tile */
+  int level;
+} packing_i_front_block;
+
+/* Where the search for places is (front_search.c). */
+typedef struct packing_i_front_search {
+  packing_i_front_block block[7 * PACKING_I_SEARCH_LEVELS + 1];
+  size_t blocks;             /* 0: it is over */
+  int64_t first[3], last[3]; /* tiles of the container */
+  int cell;                  /* of the tile on top that comes next */
+  int at_walls;              /* only places at walls */
+} packing_i_front_search;
+
 typedef struct packing_i_pockets {
   packing_i_front front; /* the head; its source is lane 0's */
   const packing_i_front_kernels *kernels;
@@ -156,7 +172,7 @@ typedef struct packing_i_pockets {
   packing_i_front_lane *lane;
   size_t lanes;
   size_t halo_room;
-  int reseeds;
+  packing_i_front_search search;
 } packing_i_pockets;
 
 static inline packing_i_pocket *packing_i_pocket_at(const packing_i_pockets *p,
@@ -246,6 +262,20 @@ packing_status packing_i_front_prepare_images(packing_i_pockets *p, uint32_t til
 packing_status packing_i_front_enter_store(packing_i_pockets *p);
 /* Places the first particles, until there are pockets or nothing more can be placed. */
 packing_status packing_i_front_seed(packing_i_pockets *p);
+/* Three discs or four spheres about the innermost point; *placed tells whether they had room. */
+packing_status packing_i_front_seed_group(packing_i_pockets *p, int *placed);
+/* Puts radius `index` of a stock, r, at c if it has room there; *placed tells. */
+packing_status packing_i_front_seed_at(packing_i_pockets *p, const packing_vec3 *c,
+                                       double r, size_t zone, size_t index, int *placed);
+/* Puts particles beside the last one until there are pockets or none has room. */
+packing_status packing_i_front_seed_beside(packing_i_pockets *p);
+
+/* ---- front_search.c ---- */
+
+/* Starts to look for places that the front did not reach, maybe only those at walls. */
+void packing_i_front_search_begin(packing_i_pockets *p, int at_walls);
+/* Goes on for a while; *placed: the front begins anew. */
+packing_status packing_i_front_search_on(packing_i_pockets *p, int *placed);
 
 /* ---- front_round.c ---- */
 

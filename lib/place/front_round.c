@@ -344,7 +344,23 @@ static int next_level(packing_i_pockets *p)
   return least < HUGE_VAL;
 }
 
-/* Hands out the tiles of the next colour that has any; *done: none has, on any level. */
+/* Looks for places where the front may begin anew; *done: there are none. */
+static packing_status search(packing_i_pockets *p, int *done)
+{
+  int placed;
+  PACKING_I_TRY(packing_i_front_search_on(p, &placed));
+  if (placed && !p->search.at_walls)
+    p->level = -HUGE_VAL; /* another front, with levels of its own */
+  if (p->search.blocks > 0)
+    return PACKING_OK;
+  *done = !p->search.at_walls;
+  if (p->search.at_walls)
+    packing_i_front_search_begin(p, 0);
+  return PACKING_OK;
+}
+
+/* Hands out the tiles of the next colour that has any. None has, on this level at the walls or on
+ * any level: looks for more places. */
 static packing_status next_colour(packing_i_pockets *p, size_t lanes, int *done)
 {
   size_t tiles = 0;
@@ -355,10 +371,12 @@ static packing_status next_colour(packing_i_pockets *p, size_t lanes, int *done)
     p->colour = (p->colour + 1) % p->colours;
     if (++p->idle_colours < p->colours)
       continue;
-    if (!next_level(p)) {
-      *done = 1;
-      return PACKING_OK;
+    if (p->search.at_walls && p->level > 0) {
+      p->idle_colours = 0;
+      return search(p, done);
     }
+    if (!next_level(p))
+      return search(p, done);
   }
   p->idle_colours = 0;
   p->active = lanes;
@@ -376,7 +394,7 @@ packing_status packing_i_front_round(packing_i_pockets *p, int *done)
     call_back(p);
   if (p->active == 0)
     PACKING_I_TRY(next_colour(p, lanes, done));
-  if (*done)
+  if (p->active == 0)
     return PACKING_OK;
   PACKING_I_TRY(feed(p));
   packing_i_parallel(p->placer->context, p->active, work, p);

@@ -81,9 +81,8 @@ static packing_status take_and_put(packing_i_pockets *p, const packing_vec3 *c,
   return put_one(p, c, r, component, 0);
 }
 
-/* Three discs or four spheres about the innermost point, of the radii in the middle of the stock.
- * *placed tells whether they found room. */
-static packing_status start_group(packing_i_pockets *p, int *placed)
+/* Their radii are those in the middle of the stock. */
+packing_status packing_i_front_seed_group(packing_i_pockets *p, int *placed)
 {
   const packing_vec3 middle = p->front.innermost;
   const size_t zone = packing_i_source_zone(p->front.source, &middle);
@@ -151,9 +150,8 @@ static packing_vec3 direction(const packing_i_pockets *p, int n)
   return packing_i_vec(rho * cos(golden * n), rho * sin(golden * n), z);
 }
 
-/* Places one particle at `c`, the largest of the stock that has room; *placed tells. */
-static packing_status try_at(packing_i_pockets *p, const packing_vec3 *c, double r,
-                             size_t zone, size_t index, int *placed)
+packing_status packing_i_front_seed_at(packing_i_pockets *p, const packing_vec3 *c,
+                                       double r, size_t zone, size_t index, int *placed)
 {
   int free;
   PACKING_I_TRY(is_free(p, c, r, &free));
@@ -184,28 +182,32 @@ static packing_status start_one(packing_i_pockets *p, size_t touched, int *place
         if (packing_i_source_zone(p->front.source, &c) != zone)
           continue;
       }
-      PACKING_I_TRY(try_at(p, &c, r, zone, some[k], placed));
+      PACKING_I_TRY(packing_i_front_seed_at(p, &c, r, zone, some[k], placed));
     }
+  }
+  return PACKING_OK;
+}
+
+packing_status packing_i_front_seed_beside(packing_i_pockets *p)
+{
+  for (int n = 0; n < 8 && p->live_count == 0; n++) {
+    int placed;
+    if (p->front.count != 0 && p->placer->tally.placed >= p->front.count)
+      break;
+    PACKING_I_TRY(start_one(p, p->placer->particles->count - 1, &placed));
   }
   return PACKING_OK;
 }
 
 packing_status packing_i_front_seed(packing_i_pockets *p)
 {
-  int placed = 0;
   const size_t stood = p->placer->particles->count;
-  if (!p->inward || stood > 0)
-    PACKING_I_TRY(start_group(p, &placed));
-  size_t touched = SIZE_MAX;
-  for (int n = 0; n < 8 && !placed && p->live_count == 0; n++) {
-    if (p->front.count != 0 && p->placer->tally.placed >= p->front.count)
-      break;
-    PACKING_I_TRY(start_one(p, touched, &placed));
-    if (!placed && touched == SIZE_MAX && stood == 0)
-      break;
-    if (p->placer->particles->count > 0)
-      touched = p->placer->particles->count - 1;
-    placed = 0;
-  }
-  return PACKING_OK;
+  packing_i_front_search_begin(p, p->inward && stood == 0);
+  int placed = 0;
+  if (p->search.at_walls)
+    return PACKING_OK;
+  PACKING_I_TRY(packing_i_front_seed_group(p, &placed));
+  if (!placed && stood == 0)
+    PACKING_I_TRY(start_one(p, SIZE_MAX, &placed));
+  return placed || stood > 0 ? packing_i_front_seed_beside(p) : PACKING_OK;
 }
