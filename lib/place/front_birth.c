@@ -86,18 +86,18 @@ static packing_i_front_body halo_body(const packing_i_front_halo *halo, size_t t
 }
 
 /* Moves wall bodies to the candidate c and solves again. 0: it runs away. */
-static int settle_walls(const birth *b, const uint32_t id[2],
-                        packing_i_front_body body[2], int side,
-                        packing_i_front_curve *curve, packing_vec3 *c)
+static int settle_walls(const birth *b, uint32_t id[2], packing_i_front_body body[2],
+                        int side, packing_i_front_curve *curve, packing_vec3 *c)
 {
   const packing_i_pockets *p = b->p;
   for (int turn = 0; turn < 20; turn++) {
     for (int n = 0; n < 2; n++)
       if ((id[n] & PACKING_I_FRONT_WALL) &&
-          !packing_i_front_wall_body(p, &b->centre, *c, id[n], 4 * p->max_r, body + n))
+          !packing_i_front_wall_body(p, &b->centre, *c, p->reference_r, id + n, body + n))
         return 0;
     packing_vec3 moved;
-    if (!packing_i_front_curve_init(b->r, body, body + 1, side, curve) ||
+    if (id[0] == id[1] ||
+        !packing_i_front_curve_init(b->r, body, body + 1, side, curve) ||
         !packing_i_front_curve_at(curve, p->reference_r, &moved))
       return 0;
     const packing_vec3 step = packing_i_sub(moved, *c);
@@ -172,7 +172,7 @@ static void keep(const birth *b, const packing_i_pocket *pocket, uint32_t home)
 /* The interval of radii. The walls in the halo are those near the sphere; on curved walls those
  * near the candidate take their place. */
 static int find_interval(const birth *b, const packing_i_front_curve *curve,
-                         const size_t own[2], packing_vec3 c,
+                         const size_t own[2], const uint32_t id[2], packing_vec3 c,
                          packing_i_front_interval *interval)
 {
   const packing_i_pockets *p = b->p;
@@ -186,7 +186,6 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
     size_t spheres = all;
     while (spheres > 0 && packing_i_front_is_wall(halo->id[spheres - 1]))
       spheres--;
-    const uint32_t id[2] = {halo->id[j], halo->id[k]};
     packing_i_front_halo walls = *halo;
     walls.count = spheres;
     double saved[6][3 * PACKING_I_NEAR_WALLS];
@@ -198,7 +197,9 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
         saved[f][n] = column[f][spheres + n];
       saved_id[n] = halo->id[spheres + n];
     }
-    packing_i_front_walls_gather(p, &b->centre, c, 3 * p->max_r, &walls);
+    packing_i_front_walls_gather(p, &b->centre, c, 2 * p->max_r, &walls);
+    j = j < spheres ? j : walls.count;
+    k = k < spheres ? k : walls.count;
     for (size_t t = spheres; t < walls.count; t++) {
       if (walls.id[t] == id[0])
         j = t;
@@ -226,7 +227,7 @@ static void try_candidate(const birth *b, size_t n)
   const uint32_t pair = lane->candidates.pair[n];
   const size_t own[2] = {lane->caps.halo[pair >> 16],
                          lane->caps.halo[(pair & 0xffff) >> 1]};
-  const uint32_t id[2] = {halo->id[own[0]], halo->id[own[1]]};
+  uint32_t id[2] = {halo->id[own[0]], halo->id[own[1]]};
   const int walls = ((id[0] | id[1]) & PACKING_I_FRONT_WALL) != 0;
   packing_i_front_body body[2] = {halo_body(halo, own[0]), halo_body(halo, own[1])};
   packing_vec3 c =
@@ -245,7 +246,7 @@ static void try_candidate(const birth *b, size_t n)
   if (!in_cell(p, &at))
     return;
   packing_i_front_interval interval;
-  if (!find_interval(b, &pocket.curve, own, c, &interval))
+  if (!find_interval(b, &pocket.curve, own, id, c, &interval))
     return;
   pocket.lo = interval.lo;
   memcpy(pocket.exit, interval.exit, sizeof pocket.exit);

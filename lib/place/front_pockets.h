@@ -191,10 +191,11 @@ packing_status packing_i_lane_stock_up(packing_i_pockets *p, packing_i_front_lan
 
 /* ---- front_walls.c ---- */
 
-/* The wall `number` as a body about `origin`, as seen from the point `c` relative to it; 0: it
- * is not near. */
+/* The wall *number as a body about `origin`, as seen from the point c relative to it, where it is
+ * touched by a particle of radius r. Where surfaces are made of many walls another one may have
+ * taken its place there: that whose distance is nearest r. 0: no wall is near. */
 int packing_i_front_wall_body(const packing_i_pockets *p, const packing_vec3 *origin,
-                              packing_vec3 c, uint32_t number, double reach,
+                              packing_vec3 c, double r, uint32_t *number,
                               packing_i_front_body *body);
 /* Adds the walls near origin + c to the halo. Returns 0 when there is no room. */
 int packing_i_front_walls_gather(const packing_i_pockets *p, const packing_vec3 *origin,
@@ -262,6 +263,9 @@ packing_status packing_i_front_prepare_images(packing_i_pockets *p, uint32_t til
 packing_status packing_i_front_enter_store(packing_i_pockets *p);
 /* Places the first particles, until there are pockets or nothing more can be placed. */
 packing_status packing_i_front_seed(packing_i_pockets *p);
+/* Whether a sphere has room at c, which may be anywhere. */
+packing_status packing_i_front_is_free(packing_i_pockets *p, const packing_vec3 *c,
+                                       double r, int *free);
 /* Three discs or four spheres about the innermost point; *placed tells whether they had room. */
 packing_status packing_i_front_seed_group(packing_i_pockets *p, int *placed);
 /* Puts radius `index` of a stock, r, at c if it has room there; *placed tells. */

@@ -37,7 +37,8 @@ static int is_clear(const packing_i_pockets *p, const packing_i_front_tile *tile
     if (p->open_axis == axis && packing_i_component(middle, axis) + reach >
                                     packing_i_component(p->bounds.hi, axis))
       return 0;
-  return packing_domain_signed_distance(p->domain, &middle, NULL) > reach;
+  return packing_i_domain_clear(p->domain, &middle, reach) ||
+         packing_domain_signed_distance(p->domain, &middle, NULL) > reach;
 }
 
 packing_status packing_i_front_prepare(packing_i_pockets *p, uint32_t tile)

@@ -41,12 +41,12 @@ void packing_i_front_search_begin(packing_i_pockets *p, int at_walls)
   s->at_walls = at_walls;
 }
 
-/* The signed distance from c, as far as it tells whether a box about c, of that half diagonal, can
- * hold a place to look for. */
+/* Whether a box about c, of that half diagonal, can hold a place to look for. */
 static int has_places(const packing_i_pockets *p, packing_vec3 c, double half)
 {
-  const double d = packing_domain_signed_distance(p->domain, &c, NULL);
-  return d + half >= p->min_r && (!p->search.at_walls || d - half <= p->max_r);
+  if (p->search.at_walls && packing_i_domain_clear(p->domain, &c, p->max_r + half))
+    return 0;
+  return packing_i_domain_clear(p->domain, &c, p->min_r - half);
 }
 
 static double half_diagonal(const packing_i_pockets *p, packing_vec3 edge)
@@ -182,11 +182,14 @@ static packing_vec3 climb(const packing_i_pockets *p, packing_vec3 c)
   return c;
 }
 
-/* Begins anew at c, where a particle of radius `index` of the stock has room if it meets none but
- * those told. */
+/* Begins anew at c if a particle of radius `index` of the stock, r, has room there. */
 static packing_status begin_at(packing_i_pockets *p, packing_vec3 c, double r,
                                size_t zone, size_t index, int *placed)
 {
+  int free;
+  PACKING_I_TRY(packing_i_front_is_free(p, &c, r, &free));
+  if (!free)
+    return PACKING_OK;
   if (p->inward) {
     if (p->placer->tally.placed == 0)
       packing_i_front_move_to_corner(p->domain, p->touch, r, &c);

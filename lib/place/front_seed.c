@@ -52,7 +52,8 @@ packing_status packing_i_front_enter_store(packing_i_pockets *p)
 
 /* ---- where nothing stands ---- */
 
-static int is_free(packing_i_pockets *p, const packing_vec3 *c, double r, int *free)
+packing_status packing_i_front_is_free(packing_i_pockets *p, const packing_vec3 *c,
+                                       double r, int *free)
 {
   packing_i_front_lane *lane = p->lane;
   uint32_t tile;
@@ -123,7 +124,7 @@ packing_status packing_i_front_seed_group(packing_i_pockets *p, int *placed)
   for (size_t n = 0; n < members; n++) {
     int free;
     c[n] = packing_i_add(middle, packing_i_sub(c[n], mean));
-    PACKING_I_TRY(is_free(p, c + n, r[n], &free));
+    PACKING_I_TRY(packing_i_front_is_free(p, c + n, r[n], &free));
     solid += packing_i_ball_volume(p->dim, r[n]);
     if (!free)
       return PACKING_OK;
@@ -154,7 +155,7 @@ packing_status packing_i_front_seed_at(packing_i_pockets *p, const packing_vec3 
                                        double r, size_t zone, size_t index, int *placed)
 {
   int free;
-  PACKING_I_TRY(is_free(p, c, r, &free));
+  PACKING_I_TRY(packing_i_front_is_free(p, c, r, &free));
   if (!free)
     return PACKING_OK;
   *placed = 1;
