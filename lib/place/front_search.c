@@ -45,7 +45,9 @@ static int has_places(const packing_i_pockets *p, packing_vec3 c, double half)
 {
   if (p->search.at_walls && packing_i_domain_clear(p->domain, &c, p->max_r + half))
     return 0;
-  return packing_i_domain_clear(p->domain, &c, p->min_r - half);
+  const double least = p->min_r - half;
+  return packing_i_domain_clear(p->domain, &c, least) ||
+         packing_domain_signed_distance(p->domain, &c, NULL) >= least;
 }
 
 static double half_diagonal(const packing_i_pockets *p, packing_vec3 edge)
