@@ -19,14 +19,31 @@ static packing_status audit_pack(report *r, const measured *m)
   return status;
 }
 
+/* A container that is thin beside its particles may leave too little inside for its volume to be
+ * found; then the rest is told all the same. */
+static packing_status find_volume(const measured *m, packing_volume_report *volume)
+{
+  packing_volume_def def;
+  packing_volume_def_init(&def);
+  packing_status status =
+      packing_measure_volume(m->context, &def, m->domain, m->view, volume);
+  if (status != PACKING_ERR_RANGE)
+    return status;
+  program_remark("measures: %s: its volume fraction is not told",
+                 packing_context_message(m->context));
+  def.inner_margin = 0;
+  status = packing_measure_volume(m->context, &def, m->domain, m->view, volume);
+  volume->inner_fraction = (double)NAN;
+  return status;
+}
+
 static packing_status measure_volume(report *r, const measured *m)
 {
   packing_volume_report volume;
   if (!m->domain)
     return PACKING_OK;
   packing_volume_report_init(&volume);
-  const packing_status status =
-      packing_measure_volume(m->context, NULL, m->domain, m->view, &volume);
+  const packing_status status = find_volume(m, &volume);
   r->domain_volume = volume.domain_volume;
   r->solid_volume = volume.solid_volume;
   r->volume_fraction = volume.volume_fraction;

@@ -421,10 +421,10 @@ PACKING_API unsigned packing_domain_periodic(const packing_domain *domain);
 
 /** The volume of the region.
  *  \param domain the container
- *  \return exact where the kind has a formula (all but custom) [L^3], 2D [L^2]. Thread-safe */
+ *  \return exact where the kind has a formula (all but custom, see combinations) [L^3], 2D [L^2]. Thread-safe */
 PACKING_API double packing_domain_volume(const packing_domain *domain);
 
-/** A box around the container; the tightest one for all kinds but custom. It is the cell of
+/** A box around the container; the tightest one for all kinds but custom ones and combinations. It is the cell of
  *  periodic directions.
  *  \param domain the container
  *  \param[out] bounds [L]; 2D: z from 0 to 0. Thread-safe */
@@ -468,8 +468,9 @@ PACKING_API packing_vec3 packing_domain_separation(const packing_domain *domain,
 
 /** The volume of the part of a sphere (area of the part of a disc) inside the region, whose
  *  open top cuts too. In periodic directions nothing cuts. Closed forms for box, rectangle,
- *  sphere, circle and annulus; one-dimensional quadrature for cylinder, tube, cone and silo;
- *  subdivision for custom.
+ *  sphere, circle, annulus and polygon; one-dimensional quadrature for cylinder, tube, cone and
+ *  silo; subdivision for custom, for insets of polygons and for what the containers of a
+ *  combination share.
  *  \param domain the container
  *  \param centre [L]
  *  \param r radius, > 0 [L]

@@ -63,7 +63,7 @@ static inline void packing_mesh_def_init(packing_mesh_def *def)
  *  \return PACKING_OK; PACKING_ERR_INVALID (NULL; a coordinate that is no finite number);
  *          PACKING_ERR_RANGE (an index that is no vertex; no triangles, or too many; lengths whose
  *          cubes a double does not hold); PACKING_ERR_GEOMETRY (merging left nothing);
- *          PACKING_ERR_NOMEM; PACKING_ERR_ABI. N log N time; some 250 bytes a triangle */
+ *          PACKING_ERR_NOMEM; PACKING_ERR_ABI. N log N time; some 150 bytes a triangle */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_mesh_create(
     packing_context *context, const packing_mesh_def *def, packing_mesh **mesh);
 

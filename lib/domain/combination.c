@@ -155,9 +155,12 @@ static double side(const packing_i_domain_body *body, const packing_vec3 *point,
   return c->inset > 0 ? side_of_inset(c, &p, normal) : side_of_parts(c->data, &p, normal);
 }
 
-/* The distance from the walls of the combination itself; *foot is where. */
-static double whole_distance(const packing_i_domain_body *body, const packing_vec3 *point,
-                             packing_vec3 *normal, packing_vec3 *foot)
+/* The distance from the walls of the combination itself; *foot is where. Where it is `limit` or more
+ * that need only show: then a lower bound is told. Without `proof` the seam that Newton's method
+ * finds is taken for the nearest. */
+static double distance_within(const packing_i_domain_body *body,
+                              const packing_vec3 *point, double limit, int proof,
+                              packing_vec3 *normal, packing_vec3 *foot)
 {
   const packing_i_combination *c = &body->as.combination;
   const packing_i_combination_data *data = c->data;
@@ -170,15 +173,21 @@ static double whole_distance(const packing_i_domain_body *body, const packing_ve
   if (normal != NULL)
     *normal = away;
   *foot = packing_i_sub(p, packing_i_scale(away, d));
-  if (!data->has_seams || !(d > -data->blur) || packing_i_is_wall_at(data, part, foot))
+  if (!data->has_seams || !(d > -data->blur) || d >= limit ||
+      packing_i_is_wall_at(data, part, foot))
     return d;
   packing_vec3 found = *foot;
   const double half = half_of_cube(body, &p, c->inset);
   double known = HUGE_VAL;
-  if (!find_outside(data, &p, part, &found, &known))
-    known = HUGE_VAL;
-  if (!packing_i_search(data, body->dim, &p, half, known, &searched, &found) ||
-      !(searched > d) || !isfinite(searched))
+  const int outside = find_outside(data, &p, part, &found, &known);
+  if (outside && !proof) {
+    searched = known;
+  } else if (!packing_i_search(data, body->dim, &p, fmin(half, limit * (1 + 1e-6)),
+                               outside ? known : HUGE_VAL, &searched, &found)) {
+    /* Nothing of the cube lies outside. */
+    return limit < half && !isfinite(searched) ? fmax(d, limit) : d;
+  }
+  if (!(searched > d) || !isfinite(searched))
     return d;
   const packing_vec3 way = packing_i_sub(p, found);
   const double length = packing_i_norm(way);
@@ -192,18 +201,15 @@ static double signed_distance(const packing_i_domain_body *body,
                               const packing_vec3 *point, packing_vec3 *normal)
 {
   packing_vec3 foot;
-  return whole_distance(body, point, normal, &foot) - body->as.combination.inset;
+  return distance_within(body, point, HUGE_VAL, 1, normal, &foot) -
+         body->as.combination.inset;
 }
 
 static int holds(const packing_i_domain_body *body, const packing_vec3 *centre, double r)
 {
   const packing_i_combination *c = &body->as.combination;
-  packing_vec3 p = *centre;
-  int part;
-  if (body->dim == 2)
-    p.z = 0;
-  return bound(c->data, &p, NULL, &part) - c->inset >= r ||
-         signed_distance(body, centre, NULL) >= r;
+  packing_vec3 foot;
+  return distance_within(body, centre, r + c->inset, 1, NULL, &foot) - c->inset >= r;
 }
 
 /* The walls of part `part`, as seen from inside the combination. */
@@ -265,7 +271,7 @@ static int near_walls(const packing_i_domain_body *body, const packing_vec3 *poi
   int count = 0;
   if (body->dim == 2)
     p.z = 0;
-  nearest.distance = whole_distance(body, &p, &nearest.normal, &foot);
+  nearest.distance = distance_within(body, &p, within, 0, &nearest.normal, &foot);
   if (!(nearest.distance < within))
     return 0;
   for (int i = 0; i < c->data->parts && nearest.distance >= 0; i++)

@@ -101,13 +101,15 @@ static void protrude_block(void *arg, size_t block)
 {
   const audit *a = arg;
   const packing_i_planar *walls = packing_i_domain_planar(a->domain);
+  const int quick = a->domain->body.ops->clear != NULL;
   protrusions found = {0, PACKING_NO_INDEX, 0};
   const size_t end = packing_i_measure_block_end(block, a->count);
   for (size_t k = block * PACKING_I_MEASURE_BLOCK; k < end; k++) {
     const size_t i = a->selection == NULL ? k : a->selection[k];
     const packing_vec3 p = packing_i_view_centre(a->view, i);
     const double r = packing_i_view_r(a->view, i);
-    if (packing_i_measure_is_clear(walls, p, r))
+    if (packing_i_measure_is_clear(walls, p, r) ||
+        (quick && packing_i_domain_clear(a->domain, &p, r)))
       continue;
     const double protrusion = protrusion_of(a->domain, p, r);
     found.count += (size_t)(protrusion > a->limit);

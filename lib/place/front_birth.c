@@ -86,18 +86,18 @@ static packing_i_front_body halo_body(const packing_i_front_halo *halo, size_t t
 }
 
 /* Moves wall bodies to the candidate c and solves again. 0: it runs away. */
-static int settle_walls(const birth *b, const uint32_t id[2],
-                        packing_i_front_body body[2], int side,
-                        packing_i_front_curve *curve, packing_vec3 *c)
+static int settle_walls(const birth *b, uint32_t id[2], packing_i_front_body body[2],
+                        int side, packing_i_front_curve *curve, packing_vec3 *c)
 {
   const packing_i_pockets *p = b->p;
   for (int turn = 0; turn < 20; turn++) {
     for (int n = 0; n < 2; n++)
       if ((id[n] & PACKING_I_FRONT_WALL) &&
-          !packing_i_front_wall_body(p, &b->centre, *c, id[n], 4 * p->max_r, body + n))
+          !packing_i_front_wall_body(p, &b->centre, *c, p->reference_r, id + n, body + n))
         return 0;
     packing_vec3 moved;
-    if (!packing_i_front_curve_init(b->r, body, body + 1, side, curve) ||
+    if (id[0] == id[1] ||
+        !packing_i_front_curve_init(b->r, body, body + 1, side, curve) ||
         !packing_i_front_curve_at(curve, p->reference_r, &moved))
       return 0;
     const packing_vec3 step = packing_i_sub(moved, *c);
@@ -172,8 +172,8 @@ static void keep(const birth *b, const packing_i_pocket *pocket, uint32_t home)
 /* The interval of radii. The walls in the halo are those near the sphere; on curved walls those
  * near the candidate take their place. */
 static int find_interval(const birth *b, const packing_i_front_curve *curve,
-                         const size_t own[2], packing_vec3 c, double most,
-                         packing_i_front_interval *interval)
+                         const size_t own[2], const uint32_t id[2], packing_vec3 c,
+                         double most, packing_i_front_interval *interval)
 {
   const packing_i_pockets *p = b->p;
   packing_i_front_halo *halo = &b->lane->halo;
@@ -187,7 +187,6 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
     size_t spheres = all;
     while (spheres > 0 && packing_i_front_is_wall(halo->id[spheres - 1]))
       spheres--;
-    const uint32_t id[2] = {halo->id[j], halo->id[k]};
     packing_i_front_halo walls = *halo;
     walls.count = spheres;
     double saved[6][3 * PACKING_I_NEAR_WALLS];
@@ -199,7 +198,9 @@ static int find_interval(const birth *b, const packing_i_front_curve *curve,
         saved[f][n] = column[f][spheres + n];
       saved_id[n] = halo->id[spheres + n];
     }
-    packing_i_front_walls_gather(p, &b->centre, c, 3 * most, &walls);
+    packing_i_front_walls_gather(p, &b->centre, c, 2 * most, &walls);
+    j = j < spheres ? j : walls.count;
+    k = k < spheres ? k : walls.count;
     for (size_t t = spheres; t < walls.count; t++) {
       if (walls.id[t] == id[0])
         j = t;
@@ -237,7 +238,7 @@ static void try_candidate(const birth *b, size_t n)
   const uint32_t pair = lane->candidates.pair[n];
   const size_t own[2] = {lane->caps.halo[pair >> 16],
                          lane->caps.halo[(pair & 0xffff) >> 1]};
-  const uint32_t id[2] = {halo->id[own[0]], halo->id[own[1]]};
+  uint32_t id[2] = {halo->id[own[0]], halo->id[own[1]]};
   const int walls = ((id[0] | id[1]) & PACKING_I_FRONT_WALL) != 0;
   packing_i_front_body body[2] = {halo_body(halo, own[0]), halo_body(halo, own[1])};
   packing_vec3 c =
@@ -259,7 +260,7 @@ static void try_candidate(const birth *b, size_t n)
   const double most = packing_i_front_most(
       p, fmax(b->r, fmax(radius_of(halo, own[0]), radius_of(halo, own[1]))));
   pocket.most = (float)(most * (1 + 1e-7)); /* not rounded down */
-  if (!find_interval(b, &pocket.curve, own, c, most, &interval))
+  if (!find_interval(b, &pocket.curve, own, id, c, most, &interval))
     return;
   pocket.lo = interval.lo;
   memcpy(pocket.exit, interval.exit, sizeof pocket.exit);

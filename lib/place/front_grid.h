@@ -13,6 +13,7 @@
 enum {
   PACKING_I_TILE_AROUND = 27, /* a tile and its neighbours; 13 is itself */
   PACKING_I_TILE_ITSELF = 13,
+  PACKING_I_TILE_MOST = 32, /* cells along an edge */
   PACKING_I_LIST_LENGTH = 62,
   PACKING_I_BIN_CHUNK = 2048
 };

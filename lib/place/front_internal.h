@@ -28,6 +28,19 @@ int packing_i_front_wants(const packing_i_front *front,
 double packing_i_front_progress(const packing_i_front *front,
                                 const packing_placer *placer);
 
+/* ---- front_corner.c: places at the walls ---- */
+
+/* Moves x to where a sphere of radius r touches up to three bodies; 0: it did not get there, to
+ * `slack`. */
+int packing_i_front_settle(double slack, double r, const packing_body *body,
+                           size_t bodies, packing_vec3 *x);
+/* A wall of a container as a body; -1: the nearest. */
+packing_body packing_i_front_wall_of(packing_domain *domain, int wall);
+/* A corner: moves x to the place nearby that touches most walls, of equal ones the nearest; a wall
+ * counts that the container tells apart (of meshes, those near x). */
+void packing_i_front_move_to_corner(packing_domain *domain, double slack, double r,
+                                    packing_vec3 *x);
+
 /* Fill placer->method, whose head is a copy of `head`, and placer->ops is theirs. On failure
  * method is NULL and the source is still the caller's. */
 packing_status packing_i_front_paper_start(packing_placer *placer,

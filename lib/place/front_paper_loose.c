@@ -5,72 +5,12 @@
  * the store far from others. */
 #include "front_paper.h"
 
-enum { TRIES = 64, SETTLE_STEPS = 40 };
-
-static double gap_of(double r, const packing_body *body, packing_vec3 x,
-                     packing_vec3 *normal)
-{
-  if (body->domain != NULL) {
-    const packing_body mobile = packing_body_sphere(x, r);
-    return packing_body_wall_gap(&mobile, body->domain, body->wall, normal);
-  }
-  const packing_vec3 apart = packing_i_sub(x, body->centre);
-  const double length = packing_i_norm(apart);
-  *normal = length > 0 ? packing_i_scale(apart, 1 / length) : packing_i_vec(1, 0, 0);
-  return length - (r + body->r);
-}
-
-/* The shortest step that closes all gaps as they look from x, along normals made orthogonal one
- * after the other; the largest gap in size, infinite where there is no such step. */
-static double step_of(double r, const packing_body *body, size_t bodies, packing_vec3 x,
-                      packing_vec3 *step)
-{
-  packing_vec3 unit[3];
-  double along[3], worst = 0;
-  *step = packing_i_vec(0, 0, 0);
-  for (size_t m = 0; m < bodies; m++) {
-    packing_vec3 normal;
-    const double gap = gap_of(r, &body[m], x, &normal);
-    packing_vec3 rest = normal;
-    double left = -gap;
-    for (size_t l = 0; l < m; l++) {
-      const double part = packing_i_dot(normal, unit[l]);
-      rest = packing_i_sub(rest, packing_i_scale(unit[l], part));
-      left -= part * along[l];
-    }
-    const double length = packing_i_norm(rest);
-    if (!(length > 1e-4) || !isfinite(gap))
-      return HUGE_VAL;
-    unit[m] = packing_i_scale(rest, 1 / length);
-    along[m] = left / length;
-    *step = packing_i_add(*step, packing_i_scale(unit[m], along[m]));
-    worst = fabs(gap) > worst ? fabs(gap) : worst;
-  }
-  return worst;
-}
+enum { TRIES = 64 };
 
 int packing_i_paper_settle(const packing_i_paper *paper, double r,
                            const packing_body *body, size_t bodies, packing_vec3 *x)
 {
-  const double enough = packing_i_paper_slack(paper, r, r);
-  packing_vec3 at = *x, step, best = at;
-  double least = HUGE_VAL;
-  for (int k = 0; k < SETTLE_STEPS; k++) {
-    const double worst = step_of(r, body, bodies, at, &step);
-    if (worst == HUGE_VAL)
-      break;
-    if (worst < least) {
-      least = worst;
-      best = at;
-    } else if (least <= enough) {
-      break; /* rounding */
-    }
-    if (worst == 0)
-      break;
-    at = packing_i_add(at, step);
-  }
-  *x = best;
-  return least <= enough;
+  return packing_i_front_settle(packing_i_paper_slack(paper, r, r), r, body, bodies, x);
 }
 
 /* Beside P_i alone, from a direction. */

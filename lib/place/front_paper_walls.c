@@ -65,66 +65,6 @@ static void divide(packing_i_paper *paper, packing_i_paper_cell cell, int dim)
   }
 }
 
-static packing_body wall_body(const packing_placer *placer, int wall)
-{
-  packing_body body = packing_body_sphere(packing_i_vec(0, 0, 0), 1);
-  body.domain = placer->domain;
-  body.wall = wall;
-  return body;
-}
-
-/* Tries to touch the walls of a set (bits) from x; whether it lies inside then. */
-static int touch_set(const packing_placer *placer, size_t zone,
-                     const packing_i_near_wall *wall, int walls, unsigned set,
-                     packing_vec3 *x)
-{
-  const packing_i_paper *paper = placer->method;
-  const double r = paper->pending[zone].r;
-  packing_body body[3];
-  size_t bodies = 0;
-  for (int w = 0; w < walls; w++)
-    if (set >> w & 1U)
-      body[bodies++] = wall_body(placer, wall[w].wall);
-  if (!packing_i_paper_settle(paper, r, body, bodies, x))
-    return 0;
-  const packing_body mobile = packing_i_paper_mobile(paper, zone, *x);
-  return packing_i_paper_inside(placer, &mobile, zone);
-}
-
-static int count_bits(unsigned set)
-{
-  int count = 0;
-  for (; set != 0; set &= set - 1)
-    count++;
-  return count;
-}
-
-/* A corner: the place near x that touches most walls, of equal ones the nearest; a wall counts
- * that the container tells apart (of meshes, the nearest alone). */
-static void move_to_corner(const packing_placer *placer, size_t zone, packing_vec3 *x)
-{
-  packing_i_near_wall wall[PACKING_I_NEAR_WALLS];
-  const int dim = placer->particles->dim;
-  const int walls = packing_i_domain_near_walls(placer->domain, x, HUGE_VAL, wall);
-  int most = 1;
-  double nearest = HUGE_VAL;
-  packing_vec3 best = *x;
-  for (unsigned set = 1; set < 1U << walls; set++) {
-    const int count = count_bits(set);
-    packing_vec3 at = *x;
-    if (count < 2 || count > dim || count < most ||
-        !touch_set(placer, zone, wall, walls, set, &at))
-      continue;
-    const double way = packing_i_norm(packing_i_sub(at, *x));
-    if (count > most || way < nearest) {
-      most = count;
-      nearest = way;
-      best = at;
-    }
-  }
-  *x = best;
-}
-
 /* A shape's own way to the wall: as far as its clearance, along the normal. */
 static int settle_shape(const packing_placer *placer, packing_body *mobile)
 {
@@ -144,7 +84,7 @@ static int place_in(const packing_placer *placer, const packing_i_paper_cell *ce
                     size_t zone, packing_vec3 *x)
 {
   const packing_i_paper *paper = placer->method;
-  const packing_body wall = wall_body(placer, -1);
+  const packing_body wall = packing_i_front_wall_of(placer->domain, -1);
   packing_body mobile = packing_i_paper_mobile(paper, zone, cell->centre);
   const int settled =
       paper->shape != NULL
@@ -154,7 +94,8 @@ static int place_in(const packing_placer *placer, const packing_i_paper_cell *ce
     return 0;
   *x = mobile.centre;
   if (!paper->walk.seeded && paper->shape == NULL)
-    move_to_corner(placer, zone, x);
+    packing_i_front_move_to_corner(
+        placer->domain, packing_i_paper_slack(paper, mobile.r, mobile.r), mobile.r, x);
   mobile.centre = *x;
   return packing_i_paper_inside(placer, &mobile, zone);
 }

@@ -7,10 +7,12 @@
 
 /* A body of the pocket about its owner, seen from c. */
 static int body_now(const packing_i_pockets *p, const packing_vec3 *owner, double owner_r,
-                    uint32_t id, packing_vec3 c, packing_i_front_body *body)
+                    uint32_t *number, packing_vec3 c, double touching,
+                    packing_i_front_body *body)
 {
+  const uint32_t id = *number;
   if (id & PACKING_I_FRONT_WALL)
-    return packing_i_front_wall_body(p, owner, c, id, 4 * p->max_r, body);
+    return packing_i_front_wall_body(p, owner, c, touching, number, body);
   double r;
   const packing_vec3 at = packing_i_front_centre(&p->grid, id, &r);
   *body = packing_i_front_sphere(packing_i_sub(at, *owner), r, owner_r);
@@ -19,7 +21,7 @@ static int body_now(const packing_i_pockets *p, const packing_vec3 *owner, doubl
 
 /* The centre about the owner at radius r, by Newton's method from the pocket's curve; curved
  * walls follow it. 0: none. */
-static int find_centre(const packing_i_pockets *p, const packing_i_pocket *pocket,
+static int find_centre(const packing_i_pockets *p, packing_i_pocket *pocket,
                        const packing_vec3 *owner, double owner_r, double r,
                        packing_vec3 *c)
 {
@@ -29,8 +31,8 @@ static int find_centre(const packing_i_pockets *p, const packing_i_pocket *pocke
                                    packing_i_front_is_wall(pocket->k));
   for (int turn = 0; turn < (moving ? 20 : 1); turn++) {
     packing_i_front_body j, k;
-    if (!body_now(p, owner, owner_r, pocket->j, *c, &j) ||
-        !body_now(p, owner, owner_r, pocket->k, *c, &k))
+    if (!body_now(p, owner, owner_r, &pocket->j, *c, r, &j) ||
+        !body_now(p, owner, owner_r, &pocket->k, *c, r, &k))
       return 0;
     const packing_vec3 before = *c;
     *c = packing_i_front_polish(owner_r, &j, &k, r, *c);
@@ -164,7 +166,7 @@ static void halo_move(packing_i_front_halo *halo, size_t to, size_t from)
  * different sizes it may miss bodies that came or were far: it is found anew where the particle
  * would be. 0: there is no pocket any more. */
 static int renew(packing_i_pockets *p, packing_i_front_lane *lane,
-                 packing_i_pocket *pocket, uint32_t tile, packing_vec3 c)
+                 packing_i_pocket *pocket, uint32_t tile, packing_vec3 c, double r)
 {
   double owner_r;
   const packing_vec3 owner = packing_i_front_centre(&p->grid, pocket->owner, &owner_r);
@@ -174,12 +176,12 @@ static int renew(packing_i_pockets *p, packing_i_front_lane *lane,
   const double most = (double)pocket->most;
   if (pocket->tries++ >= PACKING_I_POCKET_TRIES ||
       !look(p, lane, tile, &owner, owner_r + 2 * most) ||
-      !body_now(p, &owner, owner_r, pocket->j, c, &j) ||
-      !body_now(p, &owner, owner_r, pocket->k, c, &k) ||
+      !body_now(p, &owner, owner_r, &pocket->j, c, r, &j) ||
+      !body_now(p, &owner, owner_r, &pocket->k, c, r, &k) || pocket->j == pocket->k ||
       !packing_i_front_curve_init(owner_r, &j, &k, pocket->side, &pocket->curve))
     return 0;
   p->kernels->bodies(halo, halo->count, owner_r);
-  packing_i_front_walls_gather(p, &owner, c, 3 * most, halo);
+  packing_i_front_walls_gather(p, &owner, c, 2 * most, halo);
   size_t own[2] = {halo->count, halo->count}, kept = 0;
   for (size_t t = 0; t < halo->count; t++) {
     if (halo->id[t] == pocket->j)
@@ -256,7 +258,7 @@ int packing_i_pocket_fill(packing_i_pockets *p, packing_i_front_lane *lane, uint
   if (free < 0)
     return 0;
   if (!free) {
-    if (((pocket->walls && p->curved) || p->wide) && renew(p, lane, pocket, tile, c))
+    if (((pocket->walls && p->curved) || p->wide) && renew(p, lane, pocket, tile, c, r))
       packing_i_pocket_offer(p, lane, id);
     else if (lane->starved == 0)
       packing_i_pocket_kill(p, id);

@@ -97,7 +97,7 @@ static int cells_along(const packing_i_pockets *p, double edge)
   const double middle = packing_i_source_moment(source, p->dim + 1) /
                         packing_i_source_moment(source, p->dim);
   const double n = ceil(edge / (2.6 * middle));
-  return n < 6 ? 6 : n < 32 ? (int)n : 32;
+  return n < 6 ? 6 : n < PACKING_I_TILE_MOST ? (int)n : PACKING_I_TILE_MOST;
 }
 
 static double expected(const packing_i_pockets *p)
@@ -162,6 +162,7 @@ static packing_status start(packing_i_pockets *p, const packing_front_def *def,
   if (n < 1e9) /* a guess: the store grows beyond it if need be */
     PACKING_I_TRY(packing_particles_reserve(
         placer->particles, placer->particles->count + (size_t)(1.02 * n) + 16));
+  packing_i_front_search_begin(p, 0);
   PACKING_I_TRY(packing_i_front_enter_store(p));
   return p->live_count > 0 ? PACKING_OK : packing_i_front_seed(p);
 }

@@ -28,8 +28,9 @@ enum {
   PACKING_I_FRONT_PLANE = 0x7fffffff, /* wall number of the plane of discs */
   PACKING_I_POCKET_CHUNK = 4096,
   PACKING_I_FRONT_RATIO = 4,
-  PACKING_I_POCKET_TRIES = 4,  /* times a curved wall may move a pocket */
-  PACKING_I_FRONT_IMAGES = 125 /* of one sphere, in the smallest cell */
+  PACKING_I_POCKET_TRIES = 4,   /* times a curved wall may move a pocket */
+  PACKING_I_FRONT_IMAGES = 125, /* of one sphere, in the smallest cell */
+  PACKING_I_SEARCH_LEVELS = 60
 };
 
 /* Whether a body of a halo or pocket is a wall of the container. */
@@ -118,6 +119,21 @@ typedef struct packing_i_front_lane {
   void *block; /* all the arrays above */
 } packing_i_front_lane;
 
+/* 2^level tiles along each axis. */
+typedef struct packing_i_front_block {
+  int64_t at[3]; /* the lowest tile */
+  int level;
+} packing_i_front_block;
+
+/* Where the search for places is (front_search.c). */
+typedef struct packing_i_front_search {
+  packing_i_front_block block[7 * PACKING_I_SEARCH_LEVELS + 1];
+  size_t blocks;             /* 0: it is over */
+  int64_t first[3], last[3]; /* tiles of the container */
+  int cell;                  /* of the tile on top that comes next */
+  int at_walls;              /* only places at walls */
+} packing_i_front_search;
+
 typedef struct packing_i_pockets {
   packing_i_front front; /* the head; its source is lane 0's */
   const packing_i_front_kernels *kernels;
@@ -168,6 +184,7 @@ typedef struct packing_i_pockets {
   size_t youngest; /* particles there were when the last of them was tried */
   size_t oldest;   /* the next to be tried in their order */
   int reseeds;     /* tried in vain, in a row */
+  packing_i_front_search search;
 } packing_i_pockets;
 
 static inline packing_i_pocket *packing_i_pocket_at(const packing_i_pockets *p,
@@ -193,10 +210,11 @@ packing_status packing_i_lane_stock_up(packing_i_pockets *p, packing_i_front_lan
 
 /* ---- front_walls.c ---- */
 
-/* The wall `number` as a body about `origin`, as seen from the point `c` relative to it; 0: it
- * is not near. */
+/* The wall *number as a body about `origin`, as seen from the point c relative to it, where it is
+ * touched by a particle of radius r. Where surfaces are made of many walls another one may have
+ * taken its place there: that whose distance is nearest r. 0: no wall is near. */
 int packing_i_front_wall_body(const packing_i_pockets *p, const packing_vec3 *origin,
-                              packing_vec3 c, uint32_t number, double reach,
+                              packing_vec3 c, double r, uint32_t *number,
                               packing_i_front_body *body);
 /* Adds the walls near origin + c to the halo. Returns 0 when there is no room. */
 int packing_i_front_walls_gather(const packing_i_pockets *p, const packing_vec3 *origin,
@@ -267,6 +285,23 @@ packing_status packing_i_front_seed(packing_i_pockets *p);
 /* No pocket is left: places a particle beside one that stands, where there is room. *go_on: there
  * may be more to do. */
 packing_status packing_i_front_reseed(packing_i_pockets *p, int *go_on);
+/* Whether a sphere has room at c, which may be anywhere. */
+packing_status packing_i_front_is_free(packing_i_pockets *p, const packing_vec3 *c,
+                                       double r, int *free);
+/* Three discs or four spheres about the innermost point; *placed tells whether they had room. */
+packing_status packing_i_front_seed_group(packing_i_pockets *p, int *placed);
+/* Puts radius r, which the stock of the zone holds, at c if it has room there; *placed tells. */
+packing_status packing_i_front_seed_at(packing_i_pockets *p, const packing_vec3 *c,
+                                       double r, size_t zone, int *placed);
+/* Puts particles beside the last one until there are pockets or none has room. */
+packing_status packing_i_front_seed_beside(packing_i_pockets *p);
+
+/* ---- front_search.c ---- */
+
+/* Starts to look for places that the front did not reach, maybe only those at walls. */
+void packing_i_front_search_begin(packing_i_pockets *p, int at_walls);
+/* Goes on for a while; *placed: the front begins anew. */
+packing_status packing_i_front_search_on(packing_i_pockets *p, int *placed);
 
 /* ---- front_round.c ---- */
 

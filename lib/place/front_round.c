@@ -37,7 +37,8 @@ static int is_clear(const packing_i_pockets *p, const packing_i_front_tile *tile
     if (p->open_axis == axis && packing_i_component(middle, axis) + reach >
                                     packing_i_component(p->bounds.hi, axis))
       return 0;
-  return packing_domain_signed_distance(p->domain, &middle, NULL) > reach;
+  return packing_i_domain_clear(p->domain, &middle, reach) ||
+         packing_domain_signed_distance(p->domain, &middle, NULL) > reach;
 }
 
 packing_status packing_i_front_prepare(packing_i_pockets *p, uint32_t tile)
@@ -353,7 +354,23 @@ static int next_level(packing_i_pockets *p)
   return least < HUGE_VAL;
 }
 
-/* Hands out the tiles of the next colour that has any; *done: none has, on any level. */
+/* Looks for places where the front may begin anew; *done: there are none. */
+static packing_status search(packing_i_pockets *p, int *done)
+{
+  int placed;
+  PACKING_I_TRY(packing_i_front_search_on(p, &placed));
+  if (placed && !p->search.at_walls)
+    p->level = -HUGE_VAL; /* another front, with levels of its own */
+  if (p->search.blocks > 0)
+    return PACKING_OK;
+  *done = !p->search.at_walls;
+  if (p->search.at_walls)
+    packing_i_front_search_begin(p, 0);
+  return PACKING_OK;
+}
+
+/* Hands out the tiles of the next colour that has any. None has, on this level at the walls or on
+ * any level: looks for more places. */
 static packing_status next_colour(packing_i_pockets *p, size_t lanes, int *done)
 {
   size_t tiles = 0;
@@ -364,9 +381,14 @@ static packing_status next_colour(packing_i_pockets *p, size_t lanes, int *done)
     p->colour = (p->colour + 1) % p->colours;
     if (++p->idle_colours < p->colours)
       continue;
+    if (p->search.at_walls && p->level > 0) {
+      p->idle_colours = 0;
+      return search(p, done);
+    }
     if (!next_level(p)) {
-      *done = 1;
-      return PACKING_OK;
+      int go_on;
+      PACKING_I_TRY(packing_i_front_reseed(p, &go_on));
+      return go_on ? PACKING_OK : search(p, done);
     }
   }
   p->idle_colours = 0;
@@ -387,12 +409,8 @@ packing_status packing_i_front_round(packing_i_pockets *p, int *done)
     call_back(p);
   if (p->active == 0)
     PACKING_I_TRY(next_colour(p, lanes, done));
-  if (*done) {
-    int go_on;
-    PACKING_I_TRY(packing_i_front_reseed(p, &go_on));
-    *done = !go_on;
+  if (p->active == 0)
     return PACKING_OK;
-  }
   PACKING_I_TRY(feed(p));
   packing_i_parallel(p->placer->context, p->active, work, p);
   return take_over(p);

@@ -68,7 +68,8 @@ packing_status packing_i_front_enter_store(packing_i_pockets *p)
 
 /* ---- where nothing stands ---- */
 
-static int is_free(packing_i_pockets *p, const packing_vec3 *c, double r, int *free)
+packing_status packing_i_front_is_free(packing_i_pockets *p, const packing_vec3 *c,
+                                       double r, int *free)
 {
   packing_i_front_lane *lane = p->lane;
   uint32_t tile;
@@ -225,7 +226,7 @@ static packing_status group_at(packing_i_pockets *p, const packing_vec3 *middle,
   for (size_t n = 0; n < members; n++) {
     int free;
     c[n] = packing_i_add(*middle, about[n]);
-    PACKING_I_TRY(is_free(p, c + n, r[n], &free));
+    PACKING_I_TRY(packing_i_front_is_free(p, c + n, r[n], &free));
     if (!free || packing_i_source_zone(p->front.source, c + n) != zone)
       return PACKING_OK;
   }
@@ -237,7 +238,7 @@ static packing_status group_at(packing_i_pockets *p, const packing_vec3 *middle,
 
 /* Three discs or four spheres at the innermost point, inward at a wall, of the radii in the middle
  * of the stock. *placed tells whether they found room. */
-static packing_status start_group(packing_i_pockets *p, int *placed)
+packing_status packing_i_front_seed_group(packing_i_pockets *p, int *placed)
 {
   packing_vec3 middle = p->front.innermost, about[4];
   const size_t zone = packing_i_source_zone(p->front.source, &middle);
@@ -320,7 +321,7 @@ static packing_status place_one(packing_i_pockets *p, size_t touched, int from,
       int free;
       if (!candidate(p, touched, (n + from) % DIRECTIONS, k, &zone, &r, &c))
         continue;
-      PACKING_I_TRY(is_free(p, &c, r, &free));
+      PACKING_I_TRY(packing_i_front_is_free(p, &c, r, &free));
       if (!free)
         continue;
       *placed = 1;
@@ -329,19 +330,36 @@ static packing_status place_one(packing_i_pockets *p, size_t touched, int from,
   return PACKING_OK;
 }
 
-packing_status packing_i_front_seed(packing_i_pockets *p)
+packing_status packing_i_front_seed_at(packing_i_pockets *p, const packing_vec3 *c,
+                                       double r, size_t zone, int *placed)
+{
+  int free;
+  PACKING_I_TRY(packing_i_front_is_free(p, c, r, &free));
+  if (!free)
+    return PACKING_OK;
+  *placed = 1;
+  return take_and_put(p, c, zone, r);
+}
+
+packing_status packing_i_front_seed_beside(packing_i_pockets *p)
 {
   const packing_particles *store = p->placer->particles;
-  int placed = 0;
-  PACKING_I_TRY(start_group(p, &placed));
-  if (!placed && store->count == 0)
-    PACKING_I_TRY(place_one(p, SIZE_MAX, 0, &placed));
-  for (int n = 1; n < FIRST_TRIES && p->live_count == 0 && store->count > 0; n++) {
+  int placed = 1;
+  for (int n = 1; n < FIRST_TRIES && placed && p->live_count == 0 && store->count > 0;
+       n++)
     PACKING_I_TRY(place_one(p, store->count - 1, 41 * n, &placed));
-    if (!placed)
-      break;
-  }
   return PACKING_OK;
+}
+
+packing_status packing_i_front_seed(packing_i_pockets *p)
+{
+  const size_t stood = p->placer->particles->count;
+  int placed = 0;
+  packing_i_front_search_begin(p, p->inward && stood == 0);
+  PACKING_I_TRY(packing_i_front_seed_group(p, &placed));
+  if (!placed && stood == 0)
+    PACKING_I_TRY(place_one(p, SIZE_MAX, 0, &placed));
+  return packing_i_front_seed_beside(p);
 }
 
 packing_status packing_i_front_reseed(packing_i_pockets *p, int *go_on)

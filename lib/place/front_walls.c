@@ -15,10 +15,10 @@ static packing_i_front_body body_of(const packing_i_pockets *p,
 }
 
 int packing_i_front_wall_body(const packing_i_pockets *p, const packing_vec3 *origin,
-                              packing_vec3 c, uint32_t number, double reach,
+                              packing_vec3 c, double r, uint32_t *number,
                               packing_i_front_body *body)
 {
-  const uint32_t wall = number & ~PACKING_I_FRONT_WALL;
+  const uint32_t wall = *number & ~PACKING_I_FRONT_WALL;
   if (wall == PACKING_I_FRONT_PLANE) {
     *body = packing_i_front_plane();
     body->p.z = p->mean_r;
@@ -26,13 +26,17 @@ int packing_i_front_wall_body(const packing_i_pockets *p, const packing_vec3 *or
   }
   packing_i_near_wall near[PACKING_I_NEAR_WALLS];
   const packing_vec3 point = packing_i_add(*origin, c);
-  const int count = packing_i_domain_near_walls(p->domain, &point, reach, near);
-  for (int n = 0; n < count; n++)
-    if ((uint32_t)near[n].wall == wall) {
-      *body = body_of(p, near + n, c);
-      return 1;
-    }
-  return 0;
+  const int count = packing_i_domain_near_walls(p->domain, &point, 2 * p->max_r, near);
+  const packing_i_near_wall *best = NULL;
+  for (int n = 0; n < count && (best == NULL || (uint32_t)best->wall != wall); n++)
+    if (best == NULL || (uint32_t)near[n].wall == wall ||
+        fabs(near[n].distance - r) < fabs(best->distance - r))
+      best = near + n;
+  if (best == NULL)
+    return 0;
+  *number = PACKING_I_FRONT_WALL | (uint32_t)best->wall;
+  *body = body_of(p, best, c);
+  return 1;
 }
 
 static void add(packing_i_front_halo *halo, const packing_i_front_body *body,

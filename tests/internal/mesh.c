@@ -459,6 +459,37 @@ static void test_balls_in_an_inset(void **state)
   free(s);
 }
 
+/* The audit of balls in a mesh tells the farthest, deep ones or not. */
+static void test_audit(void **state)
+{
+  (void)state;
+  shape *s = shape_of(SHAPE_SPHERE);
+  packing_domain *domain = shape_domain(s, 1);
+  enum { COUNT = 400 };
+  double x[COUNT], y[COUNT], z[COUNT], r[COUNT], most = 0;
+  uint64_t random = 47;
+  size_t out = 0;
+  for (int i = 0; i < COUNT; i++) {
+    const packing_vec3 p = shape_point(&random, domain);
+    x[i] = p.x;
+    y[i] = p.y;
+    z[i] = p.z;
+    r[i] = 0.05 + 0.1 * shape_random(&random);
+    const double by = (r[i] - shape_distance(s, p)) / r[i];
+    most = fmax(most, by);
+    out += by > 1e-9;
+  }
+  packing_view view;
+  packing_audit_report report;
+  packing_view_init_arrays(&view, COUNT, x, y, z, r);
+  packing_audit_report_init(&report);
+  assert_ok(packing_audit(NULL, NULL, domain, &view, &report));
+  assert_near(report.max_protrusion, most, 1e-12 * most);
+  assert_int_equal(report.protrusions, out);
+  packing_domain_destroy(domain);
+  free(s);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -475,6 +506,7 @@ int main(void)
       cmocka_unit_test(test_balls_by_subdivision),
       cmocka_unit_test(test_cells_and_sections),
       cmocka_unit_test(test_inset),
+      cmocka_unit_test(test_audit),
       cmocka_unit_test(test_balls_in_an_inset),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -3,6 +3,7 @@
  * inside, in exact contact with plane and curved walls. */
 #include "cluster.h"
 #include "front_scenes.h"
+#include "mesh_scenes.h"
 
 /* A wall counts as touched. */
 static int touches(packing_domain *domain, packing_particles *store, size_t i)
@@ -48,7 +49,7 @@ static void no_gap_in_the_layer(packing_domain *domain, packing_particles *store
   packing_domain_bounds(domain, &b);
   const int flat = packing_domain_dim(domain) == 2;
   assert_ok(packing_rng_create(NULL, 8, PACKING_PURPOSE_USER, 0, &rng));
-  while (tried < 3000) {
+  while (tried < 1000) {
     packing_vec3 p = {b.lo.x + (b.hi.x - b.lo.x) * packing_rng_uniform(rng),
                       b.lo.y + (b.hi.y - b.lo.y) * packing_rng_uniform(rng),
                       flat ? 0 : b.lo.z + (b.hi.z - b.lo.z) * packing_rng_uniform(rng)};
@@ -258,6 +259,31 @@ static void a_polygon(void **state)
   packing_domain_destroy(domain);
 }
 
+/* Closed meshes: a tetrahedron, and a ring whose inner edges bend into it. The boundary is closed and
+ * touched exactly. */
+static void meshes(void **state)
+{
+  (void)state;
+  for (int kind = 0; kind < 2; kind++) {
+    shape *s = shape_new();
+    if (kind == 0)
+      shape_tetrahedron(s);
+    else
+      shape_torus(s, 1.3, 0.5, 16, 8);
+    packing_domain *domain = shape_domain(s, kind == 0 ? 7 : 6);
+    packing_psd *psd = test_mono(0.9);
+    packing_placer_report report;
+    packing_particles *store = inward(domain, psd, 0, "wrappers", &report);
+    const size_t layer = boundary_layer(domain, store);
+    no_gap_in_the_layer(domain, store, layer, 0.9);
+    assert_true(layer > 40);
+    packing_particles_destroy(store);
+    packing_psd_destroy(psd);
+    packing_domain_destroy(domain);
+    free(s);
+  }
+}
+
 /* Clusters cover the boundary too. */
 static void clusters_at_the_wall(void **state)
 {
@@ -265,11 +291,11 @@ static void clusters_at_the_wall(void **state)
   packing_domain *domain = test_rectangle(17, 15, 0);
   packing_psd *psd = test_mono(1);
   packing_particles *store = test_store(2);
-  packing_shape *shape = test_cluster(0.6, 1);
+  packing_shape *pair = test_cluster(0.6, 1);
   packing_front_def def = front_paper();
   def.direction = PACKING_FRONT_INWARD;
   def.contact = packing_contact_potential();
-  def.shape = shape;
+  def.shape = pair;
   const packing_placer_report report = front_pack(&def, domain, psd, store);
   packing_view v;
   packing_particles_view(store, &v);
@@ -277,14 +303,14 @@ static void clusters_at_the_wall(void **state)
   for (size_t i = 0; i < report.placed; i++) {
     const double q[4] = {((const double *)v.qw.data)[i], 0, 0,
                          ((const double *)v.qz.data)[i]};
-    const packing_body body = test_cluster_body(shape, front_centre(store, i), 1, q);
+    const packing_body body = test_cluster_body(pair, front_centre(store, i), 1, q);
     const double clear = packing_body_clearance(&body, domain, NULL);
     if (fabs(clear) > 1e-11)
       break;
     layer++;
   }
   assert_true(layer > 15 && layer < report.placed);
-  packing_shape_destroy(shape);
+  packing_shape_destroy(pair);
   packing_particles_destroy(store);
   packing_psd_destroy(psd);
   packing_domain_destroy(domain);
@@ -318,6 +344,7 @@ int main(void)
       cmocka_unit_test(contacts_at_the_boundary),
       cmocka_unit_test(a_container_of_the_users),
       cmocka_unit_test(a_polygon),
+      cmocka_unit_test(meshes),
       cmocka_unit_test(clusters_at_the_wall),
       cmocka_unit_test(among_what_stands),
   };

@@ -128,7 +128,9 @@ class Maker:
             command += [option, str(folder / name)]
         print("  " + shlex.join([program, *options]), file=sys.stderr, flush=True)
         start = time.monotonic()
-        code, said = self.run(command)
+        code, said = self.run(command, self.limit)
+        if code == STOPPED and not (folder / "report.json").exists():
+            code, said = self.run(command, None)  # placed in time, and long to measure
         seconds = time.monotonic() - start
         if code not in (*good, STOPPED) or not (folder / "report.json").exists():
             raise SystemExit(f"{shlex.join(command)}\nexit {code}\n{said}")
@@ -139,13 +141,13 @@ class Maker:
         temporary.write_text(json.dumps(record) + "\n")
         temporary.rename(folder / "done.json")
 
-    def run(self, command):
+    def run(self, command, limit):
         """Exit code and what was said; a run over the limit is told to stop, and leaves what it
-        has placed."""
+        has placed if it was still placing."""
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                               text=True) as running:
             try:
-                said = running.communicate(timeout=self.limit)[1]
+                said = running.communicate(timeout=limit)[1]
             except subprocess.TimeoutExpired:
                 running.send_signal(signal.SIGINT)
                 said = running.communicate()[1]
