@@ -181,6 +181,8 @@ static void in_every_container(void **state)
   for (size_t k = 0; k < ROOMS + MADE; k++)
     for (size_t s = 0; s < SIZES; s++)
       for (int way = (int)((k + s) % 2); way < 4; way += 2) {
+        if (k == ROOMS + 1 && s != 1)
+          continue; /* a union's distances take their time */
         packing_domain *domain = room(k);
         const int dim = packing_domain_dim(domain);
         packing_psd *psd = sizes[s]();
@@ -208,7 +210,7 @@ static void in_periodic_cells(void **state)
     for (size_t e = 0; e < sizeof edge / sizeof *edge; e++)
       for (unsigned periodic = 1; periodic < (dim == 2 ? 4U : 8U); periodic++)
         for (int way = (int)((e + periodic) % 2); way < 4; way += 3)
-          for (size_t s = 0; s < 2; s++) {
+          for (size_t s = (e + periodic / 2) % 2; s < 2; s += 2) {
             const double l = 2 * edge[e];
             packing_domain *domain = dim == 2 ? test_rectangle(l, 1.07 * l, periodic)
                                               : test_box(l, 1.07 * l, 1.13 * l, periodic);
