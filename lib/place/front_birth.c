@@ -276,12 +276,14 @@ static void try_candidate(const birth *b, size_t n)
 }
 
 /* Where only so many pockets of a sphere are wanted: brings the candidates that are lowest in the
- * order of growth to the front. Returns how many to try. */
+ * order of growth to the front. Returns how many to try. At walls all are: the way on may be
+ * narrow. */
 static size_t keep_lowest(const birth *b)
 {
   packing_i_front_candidates *c = &b->lane->candidates;
   const size_t wanted = b->p->litter;
-  if (c->count <= wanted)
+  const packing_i_front_halo *halo = &b->lane->halo;
+  if (c->count <= wanted || packing_i_front_is_wall(halo->id[halo->count - 1]))
     return c->count;
   double *key = b->lane->curves.room; /* not in use here */
   const size_t count = c->count < b->lane->curve_room ? c->count : b->lane->curve_room;

@@ -36,7 +36,7 @@ TESTS = [
     ("no psd", refuses(BOX, ["--psd", "missing"])),
     domain("", "unknown container ''", "cylinder"),
     domain("ball:1", "unknown container 'ball'", "sphere", "silo"),
-    domain("mesh:a.stl", "unknown container 'mesh'", "box"),
+    domain("torus:1,2", "unknown container 'torus'", "box"),
     domain("box", "LX is missing"),
     domain("box:", "LX is missing"),
     domain("box:1,2", "LZ is missing"),
