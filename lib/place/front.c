@@ -216,11 +216,36 @@ static packing_status check(packing_context *context, const packing_front_def *d
   return check_regions(context, d, domain);
 }
 
-static size_t stock_of(const packing_front_def *d)
+/* How many particles are to be expected, roughly. */
+static double expected(const packing_front_def *d, const packing_domain *domain,
+                       const packing_psd *psd)
+{
+  double n = 0, moment;
+  for (size_t i = 0; i < d->class_count; i++)
+    n += (double)d->classes[i].count;
+  if (n > 0)
+    return d->count != 0 ? fmin(n, (double)d->count) : n;
+  const int dim = packing_domain_dim(domain);
+  if (packing_psd_moment(psd, PACKING_BY_NUMBER, dim, &moment) != PACKING_OK)
+    return 0;
+  const double most = dim == 2 ? fraction_2d : fraction_3d;
+  const double fraction = d->volume_fraction > 0 ? fmin(most, d->volume_fraction) : most;
+  n = fraction * packing_domain_volume(domain) / (packing_i_ball_volume(dim, 1) * moment);
+  return d->count != 0 ? fmin(n, (double)d->count) : n;
+}
+
+/* What stands in the stock at the end was not placed, and may be the sizes that fit worst: so it
+ * stays below what a test of the sizes (1.36 / sqrt(n)) would notice. */
+static size_t stock_of(const packing_front_def *d, const packing_domain *domain,
+                       const packing_psd *psd)
 {
   if (d->mode == PACKING_FRONT_PAPER)
     return 1;
-  return d->stock != 0 ? d->stock : d->mode == PACKING_FRONT_FAST ? 64 : 256;
+  if (d->stock != 0)
+    return d->stock;
+  const double most = d->mode == PACKING_FRONT_FAST ? 64 : 256;
+  const double share = 0.6 * sqrt(expected(d, domain, psd));
+  return share < 16 ? 16 : (size_t)fmin(share, most);
 }
 
 /* Goals, and the innermost point, which must hold the smallest particle. */
@@ -263,7 +288,7 @@ packing_status packing_front_create(packing_context *context,
   PACKING_I_TRY(packing_i_check_given(context, "placer", placer));
   PACKING_I_TRY(check(context, &d, domain, psd, particles));
   packing_status status =
-      packing_i_source_create(context, &d, psd, stock_of(&d), &head.source);
+      packing_i_source_create(context, &d, psd, stock_of(&d, domain, psd), &head.source);
   if (status == PACKING_OK)
     status = packing_i_placer_create(context, &packing_i_front_paper_ops, domain,
                                      packing_i_source_psd(head.source), particles, &p);

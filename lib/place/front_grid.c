@@ -23,6 +23,7 @@ void packing_i_front_grid_release(packing_i_front_grid *grid)
   for (size_t t = 1; t < grid->tiles; t++)
     packing_i_free(grid->allocator, grid->tile[t].cell);
   packing_i_free(grid->allocator, grid->tile);
+  packing_i_free(grid->allocator, grid->standing);
   packing_i_free(grid->allocator, grid->slot);
   for (size_t c = 0; c < grid->chunks; c++)
     packing_i_free(grid->allocator, grid->chunk[c]);
@@ -271,10 +272,14 @@ packing_status packing_i_front_tile_fill(packing_i_front_grid *grid, uint32_t ti
 {
   const int *n = grid->n;
   const packing_vec3 lo = grid->tile[tile].lo, per = grid->per_edge;
+  if (!grow(grid->allocator, (void **)&grid->standing, grid->standings,
+            &grid->standing_room, 1, sizeof *grid->standing))
+    return PACKING_ERR_NOMEM;
   uint32_t *cells =
       packing_i_calloc(grid->allocator, (size_t)(n[0] * n[1] * n[2]), sizeof *cells);
   if (cells == NULL)
     return PACKING_ERR_NOMEM;
+  grid->standing[grid->standings++] = tile;
   grid->tile[tile].cell = cells;
   for (uint32_t l = grid->tile[tile].list; l != 0; l = grid->list[l].next)
     for (uint32_t m = 0; m < grid->list[l].count; m++) {

@@ -47,6 +47,8 @@ typedef struct packing_i_front_grid {
   packing_vec3 per_edge;      /* cells over length */
   packing_i_front_tile *tile; /* [0] is none */
   size_t tiles, tile_room;
+  uint32_t *standing; /* tiles that have cells */
+  size_t standings, standing_room;
   uint32_t *slot; /* hash table of tiles */
   size_t slots;
   packing_i_front_bin **chunk; /* bins, so many in each; bin 0 is none */

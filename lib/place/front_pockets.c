@@ -228,7 +228,7 @@ static packing_status step(packing_placer *placer, size_t budget)
     if (done) {
       tally->state = PACKING_PLACER_SATURATED;
       tally->unplaced = packing_i_source_unplaced(p->front.source);
-      if (p->front.count == 0 && p->front.solid_volume == 0 && tally->unplaced == 0)
+      if (packing_i_source_listed(p->front.source) && tally->unplaced == 0)
         tally->state = PACKING_PLACER_DONE;
       if (!packing_i_front_wants(&p->front, tally,
                                  packing_i_ball_volume(p->dim, p->min_r)))

@@ -314,12 +314,28 @@ static packing_status take_over(packing_i_pockets *p)
 
 static int is_left(const packing_i_front_grid *grid, const packing_i_front_tile *tile)
 {
-  if (tile->cell == NULL || tile->pinned || tile->list == 0)
+  if (tile->pinned)
     return 0;
   for (int n = 0; n < PACKING_I_TILE_AROUND; n++)
     if (tile->around[n] != 0 && grid->tile[tile->around[n]].pockets != 0)
       return 0;
   return 1;
+}
+
+/* Empties the tiles that no pocket is near to. */
+static void leave_tiles(packing_i_front_grid *grid)
+{
+  size_t kept = 0;
+  for (size_t n = 0; n < grid->standings; n++) {
+    const uint32_t t = grid->standing[n];
+    if (grid->tile[t].cell == NULL)
+      continue;
+    if (is_left(grid, grid->tile + t))
+      packing_i_front_tile_empty(grid, t);
+    else
+      grid->standing[kept++] = t;
+  }
+  grid->standings = kept;
 }
 
 /* Goes on to the next level: the tiles that the front has left are emptied. 0: no pocket is left
@@ -340,9 +356,7 @@ static int next_level(packing_i_pockets *p)
     p->live[kept++] = p->live[n];
   }
   p->live_count = kept;
-  for (size_t t = 1; t < grid->tiles; t++)
-    if (is_left(grid, grid->tile + t))
-      packing_i_front_tile_empty(grid, (uint32_t)t);
+  leave_tiles(grid);
   p->ready = 0;
   p->idle_colours = 0;
   if (least < HUGE_VAL) {
