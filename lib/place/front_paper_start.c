@@ -142,14 +142,12 @@ static packing_status has_room(const packing_placer *placer, const packing_vec3 
                                int *room)
 {
   packing_i_paper *paper = placer->method;
-  const packing_i_source *source = paper->front.source;
   *room = 0;
   for (size_t n = 0; n < paper->firsts; n++) {
     const packing_body body = first_body(paper, n, c[n]);
-    const size_t zone = packing_i_source_zone(source, &c[n]);
     int is_free;
     if (packing_i_paper_meets_itself(placer, body.r) ||
-        !packing_i_paper_inside(placer, &body, zone))
+        !packing_i_paper_inside(placer, &body, paper->first_zone))
       return PACKING_OK;
     PACKING_I_TRY(packing_i_paper_free(placer, &body, &paper->scan.near, &is_free));
     if (!is_free)
