@@ -155,9 +155,10 @@ static double side(const packing_i_domain_body *body, const packing_vec3 *point,
   return c->inset > 0 ? side_of_inset(c, &p, normal) : side_of_parts(c->data, &p, normal);
 }
 
-/* The distance from the walls of the combination itself; *foot is where. Where it is `limit` or more
- * that need only show: then a lower bound is told. Without `proof` the seam that Newton's method
- * finds is taken for the nearest. */
+/* The distance from the walls of the combination itself; *foot is where. With a finite `limit` it
+ * need only show on which side of that it is: the value is as far as the search went, and on the
+ * side on which the search without a limit ends. Without `proof` the seam that Newton's method
+ * finds is taken for the nearest, and else no farther than `limit` searched. */
 static double distance_within(const packing_i_domain_body *body,
                               const packing_vec3 *point, double limit, int proof,
                               packing_vec3 *normal, packing_vec3 *foot)
@@ -177,15 +178,16 @@ static double distance_within(const packing_i_domain_body *body,
       packing_i_is_wall_at(data, part, foot))
     return d;
   packing_vec3 found = *foot;
-  const double half = half_of_cube(body, &p, c->inset);
+  const double whole = half_of_cube(body, &p, c->inset);
+  const double half = proof ? whole : fmin(whole, limit * (1 + 1e-6));
   double known = HUGE_VAL;
   const int outside = find_outside(data, &p, part, &found, &known);
   if (outside && !proof) {
     searched = known;
-  } else if (!packing_i_search(data, body->dim, &p, fmin(half, limit * (1 + 1e-6)),
-                               outside ? known : HUGE_VAL, &searched, &found)) {
+  } else if (!packing_i_search(data, body->dim, &p, half, outside ? known : HUGE_VAL,
+                               limit, &searched, &found)) {
     /* Nothing of the cube lies outside. */
-    return limit < half && !isfinite(searched) ? fmax(d, limit) : d;
+    return half < whole && !isfinite(searched) ? fmax(d, limit) : d;
   }
   if (!(searched > d) || !isfinite(searched))
     return d;
@@ -208,8 +210,10 @@ static double signed_distance(const packing_i_domain_body *body,
 static int holds(const packing_i_domain_body *body, const packing_vec3 *centre, double r)
 {
   const packing_i_combination *c = &body->as.combination;
+  const double limit =
+      (r + c->inset) * (1 + 1e-15); /* no less without the inset than r */
   packing_vec3 foot;
-  return distance_within(body, centre, r + c->inset, 1, NULL, &foot) - c->inset >= r;
+  return distance_within(body, centre, limit, 1, NULL, &foot) - c->inset >= r;
 }
 
 /* The walls of part `part`, as seen from inside the combination. */

@@ -117,9 +117,10 @@ int packing_i_move_bounds(const packing_i_combination_data *data,
 /* The distance from a point inside, or on a seam, to the outside: a bound from below, which no
  * cell of space refutes; *foot is a point of the outside near which it is attained, and the
  * function 1 where one was found. `half` is the half size of a cube that reaches outside; where
- * `known` is finite, *foot is a point of the outside at that distance already. */
+ * `known` is finite, *foot is a point of the outside at that distance already. Where `limit` is
+ * finite the search ends once it is plain on which side of that the distance would come out. */
 int packing_i_search(const packing_i_combination_data *data, int dim,
-                     const packing_vec3 *point, double half, double known,
+                     const packing_vec3 *point, double half, double known, double limit,
                      double *distance, packing_vec3 *foot);
 
 #endif

@@ -169,11 +169,20 @@ static void split(search *s, const cell *c)
   }
 }
 
+/* Whether a search that has come to a cell at `bound` need not go on. The bounds of cells grow and
+ * the upper one shrinks, so it would end on the same side of the limit. */
+static int is_decided(const search *s, double bound, double limit)
+{
+  return s->found && limit < HUGE_VAL &&
+         (bound >= limit || s->upper < (1 - precise) * limit);
+}
+
 int packing_i_search(const packing_i_combination_data *data, int dim,
-                     const packing_vec3 *point, double half, double known,
+                     const packing_vec3 *point, double half, double known, double limit,
                      double *distance, packing_vec3 *foot)
 {
   search s;
+  double reached = 0;
   s.data = data;
   s.dim = dim;
   s.count = 0;
@@ -193,12 +202,14 @@ int packing_i_search(const packing_i_combination_data *data, int dim,
     if (view(&s, &c, &nearest) < HUGE_VAL)
       improve(&s, &c, &s.view.term[nearest]);
     if (c.bound >= (1 - enough(cells)) * s.upper || s.count + (1 << dim) > HEAP ||
-        !(c.half > data->blur))
+        !(c.half > data->blur) || is_decided(&s, c.bound, limit))
       break;
+    reached = c.bound;
     split(&s, &c);
     *distance = HUGE_VAL;
   }
-  *distance = fmin(*distance, s.upper);
+  /* Where rounding puts the foot nearer than what cells have shown, those count. */
+  *distance = fmax(fmin(*distance, s.upper), reached);
   *foot = s.foot;
   return s.found;
 }

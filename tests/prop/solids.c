@@ -152,6 +152,32 @@ static void no_sphere_protrudes(void **state)
   }
 }
 
+/* Whether a sphere is held is what the signed distance says, of insets too. */
+static void holds_is_the_signed_distance(void **state)
+{
+  (void)state;
+  uint64_t seed = 8;
+  for (int k = 0; k < COMBINATIONS; k++) {
+    packing_domain *d = combination_of(k), *inset = NULL;
+    assert_ok(packing_domain_create_inset(NULL, d, 0.0625, &inset));
+    for (int i = 0; i < 60; i++) {
+      const packing_domain *of = i & 1 ? inset : d;
+      const packing_vec3 p = scene_random_point(&seed, of, 0);
+      const double r = packing_domain_signed_distance(of, &p, NULL);
+      const double tried[] = {r,
+                              nextafter(r, HUGE_VAL),
+                              nextafter(r, 0),
+                              r * (1 - 1e-9),
+                              r * (1 + 1e-9),
+                              2 * r * scene_random(&seed)};
+      for (int m = 0; m < 6 && r > 0; m++)
+        assert_int_equal(packing_domain_holds(of, &p, tried[m]), r >= tried[m]);
+    }
+    packing_domain_destroy(inset);
+    packing_domain_destroy(d);
+  }
+}
+
 /* The side is right, and it changes no faster than the point moves (but for what the search
  * leaves open). */
 static void distances_are_lipschitz(void **state)
@@ -272,6 +298,7 @@ int main(void)
       cmocka_unit_test(polygons_agree_with_all_their_edges),
       cmocka_unit_test(discs_at_features_are_cut_exactly),
       cmocka_unit_test(no_sphere_protrudes),
+      cmocka_unit_test(holds_is_the_signed_distance),
       cmocka_unit_test(distances_are_lipschitz),
       cmocka_unit_test(volumes_agree_with_points),
       cmocka_unit_test(lengths_scale_by_powers_of_two),
