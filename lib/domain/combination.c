@@ -380,7 +380,7 @@ static void release(const packing_i_domain_body *body)
 
 #define COMBINATION(NAME, REFERENCE)                                                     \
   {                                                                                      \
-    .name = NAME, .reference = REFERENCE, .signed_distance = signed_distance,            \
+    .name = (NAME), .reference = (REFERENCE), .signed_distance = signed_distance,        \
     .side = side, .holds = holds, .near_walls = near_walls, .inset = inset,              \
     .sphere_volume = sphere_volume, .inherit = inherit, .release = release               \
   }

@@ -11,6 +11,7 @@
  * larger: never smaller. */
 #include "combination_internal.h"
 #include "polygon_internal.h"
+#include <assert.h>
 #include <math.h>
 
 enum { SURFACE_PLANE, SURFACE_BALL, SURFACE_REVOLUTION };
@@ -280,6 +281,7 @@ void packing_i_view_cell(const packing_i_combination_data *data, int dim,
   for (int i = 0; i < data->steps; i++) {
     const packing_i_step s = data->step[i];
     if (s.kind == PACKING_I_STEP_AND || s.kind == PACKING_I_STEP_OR) {
+      assert(used > 1); /* postfix order, as in combination_formula.c */
       used--;
       if (s.kind == PACKING_I_STEP_AND)
         take_both(data, view, &stack[used - 1], &stack[used]);
@@ -289,6 +291,7 @@ void packing_i_view_cell(const packing_i_combination_data *data, int dim,
       view_part(data, s, distance[s.part], view, &stack[used++]);
     }
   }
+  assert(used == 1);
   view->terms = stack[0].count;
   for (int i = 0; i < view->terms; i++)
     view->term[i] = stack[0].term[i];

@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The formula of a combination: what lies outside it, in terms of its parts. */
+/* The formula of a combination: what lies outside it, in terms of its parts.
+ *
+ * A formula is never empty and its steps come in postfix order, so that "and" and "or" find two
+ * values and one is left at the end. That is made elsewhere (combination_create.c); the assertions
+ * tell it to those, the analyzer among them, who see this file alone. */
 #include "combination_internal.h"
+#include <assert.h>
 #include <math.h>
 
 /* A value and the part that it is of. */
@@ -17,6 +22,7 @@ double packing_i_formula(const packing_i_combination_data *data, const double di
   for (int i = 0; i < data->steps; i++) {
     const packing_i_step s = data->step[i];
     if (s.kind == PACKING_I_STEP_AND || s.kind == PACKING_I_STEP_OR) {
+      assert(used > 1);
       const value b = stack[--used], a = stack[used - 1];
       if (s.kind == PACKING_I_STEP_AND ? b.v < a.v : b.v > a.v)
         stack[used - 1] = b;
@@ -29,6 +35,7 @@ double packing_i_formula(const packing_i_combination_data *data, const double di
       stack[used++] = (value){s.kind == PACKING_I_STEP_INSIDE ? d : -d, s.part};
     }
   }
+  assert(used == 1);
   *part = stack[0].part;
   return -stack[0].v;
 }
@@ -58,6 +65,7 @@ static int says_outside(const packing_i_combination_data *data, const double dis
   for (int i = 0; i < data->steps; i++) {
     const packing_i_step s = data->step[i];
     if (s.kind == PACKING_I_STEP_AND || s.kind == PACKING_I_STEP_OR) {
+      assert(used > 1);
       const int b = stack[--used];
       stack[used - 1] =
           s.kind == PACKING_I_STEP_AND ? stack[used - 1] && b : stack[used - 1] || b;
@@ -67,6 +75,7 @@ static int says_outside(const packing_i_combination_data *data, const double dis
       stack[used++] = s.part == part ? crossed : is_true;
     }
   }
+  assert(used == 1);
   return stack[0];
 }
 

@@ -123,7 +123,8 @@ static double bend(const packing_i_domain_body *body, const packing_vec3 *centre
   const packing_vec3 v = packing_i_cross(normal, u);
   double most = 0;
   for (int i = 0; i < 27; i++) {
-    const packing_vec3 way = packing_i_vec(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
+    const packing_vec3 way = packing_i_vec(x, y, z);
     const double by = 0.9 * r / fmax(packing_i_norm(way), 1);
     const packing_vec3 p = packing_i_add(
         packing_i_add(*centre, packing_i_scale(normal, by * way.x)),

@@ -73,9 +73,9 @@ static uint32_t word_at(const unsigned char *bytes)
 /* 12 bytes of normal, three corners, two bytes of attributes. */
 static packing_status take_facet(packing_i_mesh_file *file, const unsigned char *bytes)
 {
-  for (int i = 0; i < 3; i++) {
+  for (size_t i = 0; i < 3; i++) {
     double x[3];
-    for (int k = 0; k < 3; k++) {
+    for (size_t k = 0; k < 3; k++) {
       const uint32_t bits = word_at(bytes + 12 + 12 * i + 4 * k);
       float single;
       memcpy(&single, &bits, sizeof single);

@@ -3,6 +3,8 @@
  * Cost: a curve some 80 operations, a bound some 40 and two roots. */
 #include "front_curve.h"
 
+enum { STEPS_UP = 8 }; /* from a root, of up to 1e-15 8^7 of it */
+
 /* Parents in line leave the side open. */
 static const double parallel = 1e-18; /* |p_j x p_k|^2 over |p_j|^2 |p_k|^2 */
 
@@ -82,9 +84,13 @@ double packing_i_front_curve_start(const packing_i_front_curve *curve, double r)
       continue;
     /* A root is good to rounding; a few steps up reach the side that has solutions. */
     double start = x[k];
-    for (double step = 1e-15; step < 1e-8; step *= 8, start = x[k] * (1 + step))
+    double step = 1e-15;
+    for (int n = 0; n < STEPS_UP; n++) {
       if (height2(curve, start) >= 0)
         return start;
+      step *= 8;
+      start = x[k] * (1 + step);
+    }
   }
   return HUGE_VAL;
 }

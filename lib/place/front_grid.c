@@ -275,8 +275,8 @@ packing_status packing_i_front_tile_fill(packing_i_front_grid *grid, uint32_t ti
   if (!grow(grid->allocator, (void **)&grid->standing, grid->standings,
             &grid->standing_room, 1, sizeof *grid->standing))
     return PACKING_ERR_NOMEM;
-  uint32_t *cells =
-      packing_i_calloc(grid->allocator, (size_t)(n[0] * n[1] * n[2]), sizeof *cells);
+  const size_t count = (size_t)n[0] * (size_t)n[1] * (size_t)n[2];
+  uint32_t *cells = packing_i_calloc(grid->allocator, count, sizeof *cells);
   if (cells == NULL)
     return PACKING_ERR_NOMEM;
   grid->standing[grid->standings++] = tile;

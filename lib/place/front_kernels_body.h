@@ -94,11 +94,11 @@ TARGET static void pairs(const packing_i_front_caps *caps, size_t first, double 
     for (; bits != 0; bits &= bits - 1) {
       const unsigned k = (unsigned)__builtin_ctz(bits);
       const uint32_t pair = (uint32_t)first << 16 | (uint32_t)(t + k) << 1;
-      for (unsigned side = 0; side < 2; side++, n++) {
+      for (size_t side = 0; side < 2; side++, n++) {
         candidates->x[n] = out[3 * side][k];
         candidates->y[n] = out[3 * side + 1][k];
         candidates->z[n] = out[3 * side + 2][k];
-        candidates->pair[n] = pair | side;
+        candidates->pair[n] = pair | (uint32_t)side;
       }
     }
   }

@@ -432,8 +432,11 @@ static packing_status build(packing_placer *placer, const packing_front_def *def
   packing_i_index_init(&paper->index, placer->context, placer->domain, top, expected);
   /* All at once: growing later would make long steps. */
   const double least = packing_i_source_min_r(paper->front.source);
-  for (double r = top; r > 0.5 * least; r *= 0.5)
+  double r = top;
+  while (r > 0.5 * least) { /* an octave each; halving does not round */
     PACKING_I_TRY(packing_i_index_reserve(&paper->index, expected, fmax(r, least)));
+    r *= 0.5;
+  }
   PACKING_I_TRY(packing_i_index_add_store(&paper->index, placer->domain, store));
   PACKING_I_TRY(packing_particles_reserve(placer->particles, expected));
   if (def->shape != NULL)

@@ -3,6 +3,7 @@
  * is below the level are filled, so the front stays even; within a level the tiles take turns,
  * colour by colour. See front_pockets.h on lanes. */
 #include "front_pockets.h"
+#include <assert.h>
 
 /* ---- preparing ---- */
 
@@ -218,6 +219,7 @@ static int colour_of(const packing_i_pockets *p, const packing_i_front_tile *til
 /* Shares the tiles of the colour that have work out among so many lanes. */
 static packing_status hand_out(packing_i_pockets *p, size_t lanes, size_t *tiles)
 {
+  assert(lanes > 0); /* ration() gives one at least: for those who read this file alone */
   *tiles = 0;
   for (size_t l = 0; l < p->lanes; l++) {
     p->lane[l].todo_count = p->lane[l].todo_next = 0;

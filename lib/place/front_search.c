@@ -265,9 +265,10 @@ static packing_status try_tile(packing_i_pockets *p, int *placed)
   const int *cells = p->grid.n;
   while (p->search.cell < cells[0] * cells[1] * cells[2] && !*placed) {
     const int n = p->search.cell;
-    const packing_vec3 at = packing_i_vec(lo.x + n % cells[0] * edge.x,
-                                          lo.y + n / cells[0] % cells[1] * edge.y,
-                                          lo.z + n / (cells[0] * cells[1]) * edge.z);
+    const int x = n % cells[0], y = n / cells[0] % cells[1],
+              z = n / (cells[0] * cells[1]);
+    const packing_vec3 at =
+        packing_i_vec(lo.x + x * edge.x, lo.y + y * edge.y, lo.z + z * edge.z);
     if (!s.taken[n] && has_places(p, middle_of(p, at, edge), half))
       PACKING_I_TRY(try_cell(&s, at, edge, placed));
     if (!*placed)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "place_index.h"
+#include <assert.h>
 
 /* More cells than this along an axis need not be told apart: a coordinate cannot do it. */
 static const double MOST_ALONG = 0x1p50;
@@ -113,6 +114,7 @@ static size_t cell_along(double x, double lo, double per_edge, size_t whole)
 /* The same, as one of those held. */
 static size_t held_along(double x, double lo, double per_edge, size_t whole, size_t n)
 {
+  assert(n > 0); /* level_start() made one at least, which the analyzer does not see */
   const size_t cell = cell_along(x, lo, per_edge, whole);
   return cell < n ? cell : cell % n;
 }
@@ -146,6 +148,7 @@ static span level_span(const packing_i_index *index, const packing_i_index_level
   span s;
   for (int axis = 0; axis < 3; axis++) {
     const size_t whole = level->whole[axis], n = level->n[axis];
+    assert(n > 0); /* as above: levels with nothing in them are not asked */
     const size_t from = cell_along(at[axis] - reach, lo[axis], per[axis], whole);
     const size_t to = cell_along(at[axis] + reach, lo[axis], per[axis], whole);
     s.first[axis] = from < n ? from : from % n;

@@ -29,8 +29,8 @@ typedef struct packing_i_stock {
   double due[PACKING_I_STOCK_BINS];  /* share of the bin in the distribution, by number */
   size_t held[PACKING_I_STOCK_BINS]; /* radii of the bin in the stock */
   double weight[PACKING_I_STOCK_BINS]; /* 1 / (count due); 0 for a bin that is empty */
-  size_t
-      full; /* so many radii are up to the end of the bin held in the greatest excess */
+  /* So many radii are up to the end of the bin held in the greatest excess. */
+  size_t full;
 } packing_i_stock;
 
 typedef struct packing_i_source packing_i_source;
