@@ -23,7 +23,7 @@ static double filled(packing_domain *domain, packing_front_direction direction,
   def.direction = direction;
   const packing_placer_report report = front_pack(&def, domain, psd, store);
   packing_psd_destroy(psd);
-  assert_int_equal(report.state, PACKING_PLACER_DONE);
+  assert_int_equal(report.state, PACKING_PLACER_SATURATED);
   return report.volume_fraction;
 }
 
