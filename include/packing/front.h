@@ -121,8 +121,8 @@ static inline void packing_front_def_init(packing_front_def *def)
  *  Fast and dense: the places are kept as pockets, triples of bodies with the interval of radii
  *  that fit between them, and the next pocket and its radius are chosen by how well they match;
  *  the sizes come from a stratified stock, so that they stay those of the distribution.
- *  Contacts and walls are solved as in packing_front_mode's papers: linear constraints in centre
- *  and radius.
+ *  Spheres and walls alike bound centre and radius linearly, which solves contacts in closed
+ *  form (doc/methods/front.md).
  *  \param context NULL is fine
  *  \param def options, or NULL for the defaults
  *  \param domain the container; kept
@@ -133,7 +133,9 @@ static inline void packing_front_def_init(packing_front_def *def)
  *          dimensions that differ, an option of another mode); PACKING_ERR_GEOMETRY (the
  *          smallest particle fits nowhere); PACKING_ERR_UNSUPPORTED; PACKING_ERR_NOMEM;
  *          PACKING_ERR_ABI
- *  Cost: linear in the particles. */
+ *
+ *  The store is enlarged at once by what is expected. Cost: linear in the particles; beside the
+ *  store some 5 bytes a particle, and the front. */
 PACKING_API PACKING_WARN_UNUSED packing_status packing_front_create(
     packing_context *context, const packing_front_def *def, packing_domain *domain,
     packing_psd *psd, packing_particles *particles, packing_placer **placer);
