@@ -119,6 +119,12 @@ static int in_cell(const packing_i_pockets *p, const packing_vec3 *c)
   return !(p->periodic & PACKING_PERIODIC_Z) || (c->z >= b->lo.z && c->z < b->hi.z);
 }
 
+/* Before, in or behind a tile, whose edge is 1. */
+static int part_along(double x)
+{
+  return x < 0 ? 0 : x < 1 ? 1 : 2;
+}
+
 /* The tile of a point near a tile. */
 static uint32_t tile_of(const packing_i_front_grid *grid, uint32_t tile,
                         const packing_vec3 *c)
@@ -126,16 +132,7 @@ static uint32_t tile_of(const packing_i_front_grid *grid, uint32_t tile,
   const packing_i_front_tile *t = grid->tile + tile;
   const double x = (c->x - t->lo.x) / grid->edge.x, y = (c->y - t->lo.y) / grid->edge.y,
                z = (c->z - t->lo.z) / grid->edge.z;
-  const int nx = x < 0   ? 0
-                 : x < 1 ? 1
-                         : 2,
-            ny = y < 0   ? 0
-                 : y < 1 ? 1
-                         : 2,
-            nz = z < 0   ? 0
-                 : z < 1 ? 1
-                         : 2;
-  return t->around[(nz * 3 + ny) * 3 + nx];
+  return t->around[(part_along(z) * 3 + part_along(y)) * 3 + part_along(x)];
 }
 
 static void keep(const birth *b, const packing_i_pocket *pocket, uint32_t home)
@@ -169,53 +166,72 @@ static void keep(const birth *b, const packing_i_pocket *pocket, uint32_t home)
   packing_i_pocket_offer(p, lane, id);
 }
 
-/* The interval of radii. The walls in the halo are those near the sphere; on curved walls those
- * near the candidate take their place. */
+/* The walls at the end of a halo, set aside. */
+typedef struct walls_aside {
+  double column[6][PACKING_I_NEAR_WALLS];
+  uint32_t id[PACKING_I_NEAR_WALLS];
+} walls_aside;
+
+/* Copies the bodies from `first` on out of the halo, or back into it. */
+static void set_aside(packing_i_front_halo *halo, size_t first, walls_aside *aside,
+                      int back)
+{
+  double *column[6] = {halo->x, halo->y, halo->z, halo->a, halo->b, halo->r};
+  for (size_t n = 0; first + n < halo->count; n++) {
+    for (int f = 0; f < 6; f++) {
+      double *in = column[f] + first + n, *out = aside->column[f] + n;
+      *(back ? in : out) = back ? *out : *in;
+    }
+    uint32_t *in = halo->id + first + n, *out = aside->id + n;
+    *(back ? in : out) = back ? *out : *in;
+  }
+}
+
+/* The interval on a curve beside curved walls: in the place of the halo's walls, which are those
+ * near the sphere, come those near the candidate c. */
+static void interval_at_walls(const birth *b, const packing_i_front_curve *curve,
+                              const size_t own[2], const uint32_t id[2], packing_vec3 c,
+                              double start, double most,
+                              packing_i_front_interval *interval)
+{
+  const packing_i_pockets *p = b->p;
+  packing_i_front_halo *halo = &b->lane->halo;
+  size_t spheres = halo->count;
+  while (spheres > 0 && packing_i_front_is_wall(halo->id[spheres - 1]))
+    spheres--;
+  walls_aside aside;
+  set_aside(halo, spheres, &aside, 0);
+  packing_i_front_halo walls = *halo;
+  walls.count = spheres;
+  packing_i_front_walls_gather(p, &b->centre, c, 2 * most, &walls);
+  size_t mine[2];
+  for (int n = 0; n < 2; n++) {
+    mine[n] = own[n] < spheres ? own[n] : walls.count;
+    for (size_t t = spheres; t < walls.count; t++)
+      if (walls.id[t] == id[n])
+        mine[n] = t;
+  }
+  p->kernels->interval(curve, &walls, mine[0], mine[1], start, p->cap * most, p->slack,
+                       interval);
+  set_aside(halo, spheres, &aside, 1);
+}
+
+/* The interval of radii on a curve; 0: none fits. */
 static int find_interval(const birth *b, const packing_i_front_curve *curve,
                          const size_t own[2], const uint32_t id[2], packing_vec3 c,
                          double most, packing_i_front_interval *interval)
 {
   const packing_i_pockets *p = b->p;
-  packing_i_front_halo *halo = &b->lane->halo;
+  const packing_i_front_halo *halo = &b->lane->halo;
   const double start = packing_i_front_curve_start(curve, p->min_r);
-  const double cap = p->cap * most, seen = packing_i_front_most(p, b->r);
+  const double seen = packing_i_front_most(p, b->r);
   if (!(start <= most))
     return 0;
-  const size_t all = halo->count;
-  size_t j = own[0], k = own[1];
-  if (p->curved && all > 0 && packing_i_front_is_wall(halo->id[all - 1])) {
-    size_t spheres = all;
-    while (spheres > 0 && packing_i_front_is_wall(halo->id[spheres - 1]))
-      spheres--;
-    packing_i_front_halo walls = *halo;
-    walls.count = spheres;
-    double saved[6][3 * PACKING_I_NEAR_WALLS];
-    uint32_t saved_id[3 * PACKING_I_NEAR_WALLS];
-    const size_t held = all - spheres;
-    double *column[6] = {halo->x, halo->y, halo->z, halo->a, halo->b, halo->r};
-    for (size_t n = 0; n < held; n++) {
-      for (int f = 0; f < 6; f++)
-        saved[f][n] = column[f][spheres + n];
-      saved_id[n] = halo->id[spheres + n];
-    }
-    packing_i_front_walls_gather(p, &b->centre, c, 2 * most, &walls);
-    j = j < spheres ? j : walls.count;
-    k = k < spheres ? k : walls.count;
-    for (size_t t = spheres; t < walls.count; t++) {
-      if (walls.id[t] == id[0])
-        j = t;
-      if (walls.id[t] == id[1])
-        k = t;
-    }
-    p->kernels->interval(curve, &walls, j, k, start, cap, p->slack, interval);
-    for (size_t n = 0; n < held; n++) {
-      for (int f = 0; f < 6; f++)
-        column[f][spheres + n] = saved[f][n];
-      halo->id[spheres + n] = saved_id[n];
-    }
-  } else {
-    p->kernels->interval(curve, halo, j, k, start, cap, p->slack, interval);
-  }
+  if (p->curved && halo->count > 0 && packing_i_front_is_wall(halo->id[halo->count - 1]))
+    interval_at_walls(b, curve, own, id, c, start, most, interval);
+  else
+    p->kernels->interval(curve, halo, own[0], own[1], start, p->cap * most, p->slack,
+                         interval);
   for (int e = 0; e < 3 && most > seen; e++)
     if (interval->exit[e] > seen) /* not all of what could be met was looked at */
       interval->exit[e] = HUGE_VAL;

@@ -21,7 +21,7 @@
 
 enum {
   PACKING_I_LANES = 8,
-  PACKING_I_LANE_QUOTA = 64, /* particles a lane places in a round */
+  PACKING_I_LANE_QUOTA = 32, /* particles a lane places in a round */
   PACKING_I_POCKETS_SPARE =
       2048, /* pockets one particle may make, and walls its images */
   PACKING_I_BINS_SPARE = 64,

@@ -34,28 +34,28 @@ static const task tasks[] = {
      0.5,
      PACKING_FRONT_DENSE,
      0,
-     0,
+     40,
      1},
     {{SCENE_BOX, 5, 4.5, 4, 0, {0, 0, 0}, 2, 0, 7},
      0.3,
      0.7,
      PACKING_FRONT_FAST,
      0,
-     0,
+     40,
      0},
     {{SCENE_CYLINDER, 3, 5, 0, 0, {0, 0, 0}, 2, 0, 0},
      0.3,
      0.7,
      PACKING_FRONT_DENSE,
      1,
-     90,
+     40,
      0},
     {{SCENE_RECTANGLE, 16, 15, 0, 0, {0, 0, 0}, 1, 0, 1},
      0.3,
      0.7,
      PACKING_FRONT_DENSE,
      0,
-     0,
+     60,
      2},
 };
 enum { TASKS = sizeof tasks / sizeof *tasks };
@@ -189,7 +189,7 @@ static void lanes_go_on_after_a_failure(void **state)
   size_t requests, ignored;
   const uint64_t hash = stepped(context, &a, &large, 0, 14, &requests);
   assert_true(requests > 10);
-  for (size_t at = 1; at <= requests; at += 1 + requests / 5)
+  for (size_t at = 1; at <= requests; at += 1 + requests / 2)
     assert_true(stepped(context, &a, &large, at, 14, &ignored) == hash);
   packing_context_destroy(context);
   assert_int_equal(a.live, 0);

@@ -12,10 +12,12 @@ static packing_status from_arrays(packing_context *context, uint64_t *hash)
   packing_status status = shape_try(context, s, 1, &mesh);
   if (status == PACKING_OK)
     status = shape_domain_of(context, mesh, &domain);
-  if (status == PACKING_OK)
+  if (status == PACKING_OK &&
+      kind_now == SHAPE_TETRAHEDRON) /* the smallest: it takes time */
     status = packing_domain_create_inset(context, domain, 0.05, &inset);
   if (status == PACKING_OK) {
-    const double v[2] = {packing_domain_volume(domain), packing_domain_volume(inset)};
+    const double v[2] = {packing_domain_volume(domain),
+                         inset == NULL ? 0 : packing_domain_volume(inset)};
     *hash = test_hash(TEST_HASH_START, v, sizeof v);
   }
   packing_domain_destroy(inset);
@@ -28,8 +30,8 @@ static packing_status from_arrays(packing_context *context, uint64_t *hash)
 static void meshes(void **state)
 {
   (void)state;
-  const int kinds[] = {SHAPE_CUBE, SHAPE_HOLLOW};
-  for (int i = 0; i < 2; i++) {
+  const int kinds[] = {SHAPE_TETRAHEDRON, SHAPE_CUBE, SHAPE_HOLLOW};
+  for (int i = 0; i < 3; i++) {
     kind_now = kinds[i];
     assert_true(test_every_allocation(from_arrays) >= 20);
   }
