@@ -199,6 +199,8 @@ int packing_i_surface_near(const packing_i_surface *surface, const packing_vec3 
     if (depth > 0)
       return 0;
     j.nearest = packing_i_surface_nearest(surface, point, HUGE_VAL, 0);
+    if (j.nearest.facet == PACKING_I_MESH_NONE) /* out of range, or no number */
+      return 0;
   }
   const int inside = packing_i_surface_is_inside(surface, &j.nearest);
   if (!inside || sqrt(j.nearest.square) < reach)

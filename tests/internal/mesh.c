@@ -193,6 +193,23 @@ static void test_near_walls(void **state)
   }
 }
 
+/* A solver that runs away asks for the walls near no point at all. */
+static void test_points_out_of_range(void **state)
+{
+  (void)state;
+  shape *s = shape_of(SHAPE_STAR);
+  packing_domain *domain = shape_domain(s, 15);
+  const packing_vec3 points[] = {{NAN, 0, 0}, {0, HUGE_VAL, 0}, {1e200, -1e200, 1e200}};
+  packing_i_near_wall near[PACKING_I_NEAR_WALLS];
+  for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+    assert_int_equal(packing_i_domain_near_walls(domain, &points[i], 1, near), 0);
+    assert_false(packing_domain_signed_distance(domain, &points[i], NULL) >= 0);
+    assert_false(packing_domain_holds(domain, &points[i], 1));
+  }
+  packing_domain_destroy(domain);
+  free(s);
+}
+
 /* Two triangles a side are one wall, wherever the point is, on the diagonals too. */
 static void test_near_walls_of_a_cube(void **state)
 {
@@ -498,6 +515,7 @@ int main(void)
       cmocka_unit_test(test_holds),
       cmocka_unit_test(test_clear_deep_inside),
       cmocka_unit_test(test_near_walls),
+      cmocka_unit_test(test_points_out_of_range),
       cmocka_unit_test(test_near_walls_of_a_cube),
       cmocka_unit_test(test_near_walls_of_an_angle),
       cmocka_unit_test(test_winding),
