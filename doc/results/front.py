@@ -17,15 +17,13 @@ import argparse
 import datetime
 import os
 import pathlib
-import re
-import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
-from making import front_packs, front_studies, grown  # noqa: E402
+from making import front_packs, front_studies, grown, page  # noqa: E402
 
 PARTS = {**front_packs.PARTS, **front_studies.PARTS}
 
@@ -47,30 +45,6 @@ def read_options():
     return p.parse_args()
 
 
-def machine():
-    with open("/proc/cpuinfo", encoding="ascii") as file:
-        found = re.search(r"model name\s*: (.*)", file.read())
-    with open("/etc/os-release", encoding="utf-8") as file:
-        system = re.search(r'PRETTY_NAME="(.*)"', file.read())
-    return (f"{os.cpu_count()} cores of {found.group(1) if found else 'an unknown processor'}, "
-            f"{system.group(1) if system else 'an unknown system'}")
-
-
-def version():
-    done = subprocess.run(["git", "describe", "--always", "--dirty"], capture_output=True,
-                          text=True, check=False, cwd=ROOT)
-    return done.stdout.strip() or "unknown"
-
-
-def read_notes():
-    """Sections of front-notes.md by the name of their part."""
-    path = HERE / "front-notes.md"
-    if not path.exists():
-        return {}
-    pieces = re.split(r"^## (\w+)\n", path.read_text(encoding="utf-8"), flags=re.M)
-    return {name: body.strip() for name, body in zip(pieces[1::2], pieces[2::2])}
-
-
 def head(arguments):
     scale = f" --scale {arguments.scale:g}" if arguments.scale != 1 else ""
     return f"""# Front: packs without dynamics
@@ -79,7 +53,7 @@ I. Perez Morales, R. Rosello Valera, C. Recarey Morfa et al., the seed paper of 
 the method is in [../methods/front.md](../methods/front.md). This file is written by
 `doc/results/front.py{scale}`; what is said by hand comes from `front-notes.md`.
 
-Machine: {machine()}. Date: {datetime.date.today()}. Source: {version()}. Times are wall clock of
+Machine: {page.machine()}. Date: {datetime.date.today()}. Source: {page.version(ROOT)}. Times are wall clock of
 placing alone (`time.place` of the report), one run, nothing beside it. N: particles placed. "Whole" is
 the volume fraction of the whole container, particles cut exactly at it; "inner" that of the part at
 least 3 r_max from every wall. Z: mean contacts of a particle with others (gap at most 1e-9 of
@@ -106,7 +80,7 @@ def write(maker, bodies, arguments):
     trial = arguments.scale != 1
     out = pathlib.Path(arguments.out) if arguments.out else (
         maker.work / "front.md" if trial else HERE / "front.md")
-    notes, pieces = read_notes(), [head(arguments)]
+    notes, pieces = page.read_notes(HERE / "front-notes.md"), [head(arguments)]
     for name, (title, _) in PARTS.items():
         body = bodies[name] or f"Not run: `doc/results/front.py --only {name}`.\n"
         pieces += [f"## {title}\n", body]

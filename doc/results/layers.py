@@ -18,14 +18,13 @@ import json
 import os
 import pathlib
 import re
-import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
-from making import parts, runs, stats, text  # noqa: E402
+from making import page, parts, runs, stats, text  # noqa: E402
 
 
 def read_options():
@@ -49,20 +48,6 @@ def read_options():
     p.add_argument("--estimate", action="store_true", help="print the estimate and end")
     p.add_argument("--out", help="the file, default layers.md beside this script")
     return p.parse_args()
-
-
-def shell(*command):
-    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
-    return done.stdout.strip() or "unknown"
-
-
-def machine():
-    with open("/proc/cpuinfo", encoding="ascii") as file:
-        found = re.search(r"model name\s*: (.*)", file.read())
-    with open("/etc/os-release", encoding="utf-8") as file:
-        system = re.search(r'PRETTY_NAME="(.*)"', file.read())
-    return (f"{os.cpu_count()} cores of {found.group(1) if found else 'an unknown processor'}, "
-            f"{system.group(1) if system else 'an unknown system'}")
 
 
 def default_slip(store, groups, make):
@@ -105,15 +90,6 @@ def estimate(store, groups, wanted, processes):
           "particle-steps/s each", file=sys.stderr)
 
 
-def read_notes():
-    """Sections of layers-notes.md by the name of their part."""
-    path = HERE / "layers-notes.md"
-    if not path.exists():
-        return {}
-    pieces = re.split(r"^## (\w+)\n", path.read_text(encoding="utf-8"), flags=re.M)
-    return {name: body.strip() for name, body in zip(pieces[1::2], pieces[2::2])}
-
-
 def fill(note, values):
     def value(match):
         if match.group(1) not in values:
@@ -125,8 +101,8 @@ def fill(note, values):
 
 def head(store, arguments):
     command = "doc/results/layers.py" + " --quick" * arguments.quick
-    version = shell("git", "describe", "--always", "--dirty")
-    program = shell(arguments.program, "--version").splitlines()[0]
+    version = page.version(ROOT)
+    program = page.shell(ROOT, arguments.program, "--version").splitlines()[0]
     return f"""# Layers: the packs of Campello and Cassares
 
 E. M. B. Campello and K. R. Cassares, Lat. Am. J. Solids Struct. 13 (2016) 23-50: layers by random
@@ -134,7 +110,7 @@ sequential addition, jammed by a discrete-element simulation; the method is in
 [../methods/dem.md](../methods/dem.md). This file is written by `{command}`; what is said by hand
 comes from `layers-notes.md`.
 
-Machine: {machine()}. Date: {datetime.date.today()}. Source: {version} ({program}). Each pack is one
+Machine: {page.machine()}. Date: {datetime.date.today()}. Source: {version} ({program}). Each pack is one
 process of one thread, {arguments.processes} side by side; pack k has `--seed 1 --stream k-1`, so that
 `--packs 10` makes the same ten. Unless said: `packing-layers --example E --rotations on|off
 --layer-end time --full bed`, 1.0 s a layer as in the paper. Deviations (sd) are with n - 1, cv = sd / mean. Density is the volume fraction below the asked
@@ -171,7 +147,8 @@ def write(store, groups, slip, arguments):
         store.work / "layers.md" if arguments.quick else HERE / "layers.md")
     images = store.work / "images" if arguments.quick else ROOT / "doc" / "images"
     images.mkdir(parents=True, exist_ok=True)
-    results, notes, sections = text.Results(store, images), read_notes(), []
+    results, sections = text.Results(store, images), []
+    notes = page.read_notes(HERE / "layers-notes.md")
     for example, velocity in (slip or {}).items():
         results.values[f"slip.default.{example}"] = f"{velocity:.3g}"
     for name in parts.ORDER:

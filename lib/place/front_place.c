@@ -115,15 +115,14 @@ static void note(packing_i_front_lane *lane, const packing_vec3 *centre, double 
   q->image = image;
 }
 
-/* All images of a sphere; the halo of the first is there already when `looked`. */
+/* All images of a sphere; the halo of the first is there already. */
 static void put(packing_i_pockets *p, packing_i_front_lane *lane,
-                const packing_i_front_image *image, size_t images, int looked, double r,
+                const packing_i_front_image *image, size_t images, double r,
                 size_t component)
 {
   for (size_t n = 0; n < images; n++) {
     /* Without a halo an image is an obstacle only. */
-    if (!(looked && n == 0) &&
-        !look(p, lane, image[n].tile, &image[n].centre, sight(p, r)))
+    if (n > 0 && !look(p, lane, image[n].tile, &image[n].centre, sight(p, r)))
       lane->halo.count = 0;
     uint32_t tile = image[n].tile;
     const uint32_t place = insert(p, lane, &tile, &image[n].centre, r);
@@ -145,7 +144,7 @@ int packing_i_front_put(packing_i_pockets *p, packing_i_front_lane *lane, uint32
   }
   if (!look(p, lane, image[0].tile, &image[0].centre, sight(p, r)))
     return 0;
-  put(p, lane, image, images, 1, r, component);
+  put(p, lane, image, images, r, component);
   return 1;
 }
 
@@ -268,6 +267,6 @@ int packing_i_pocket_fill(packing_i_pockets *p, packing_i_front_lane *lane, uint
   size_t component;
   packing_i_source_take(lane->source, pocket->zone, index, &taken, &component);
   packing_i_pocket_kill(p, id);
-  put(p, lane, image, images, 1, taken, component);
+  put(p, lane, image, images, taken, component);
   return 1;
 }
