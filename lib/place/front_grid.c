@@ -5,6 +5,9 @@
 
 enum { FIRST_SLOTS = 64 };
 
+/* Of a cell's entry: its bin has a next. So bins that have none are not read to learn that. */
+#define MORE UINT32_C(0x80000000)
+
 void packing_i_front_grid_init(packing_i_front_grid *grid,
                                const packing_allocator *allocator, packing_vec3 origin,
                                packing_vec3 edge, const int n[3])
@@ -175,7 +178,7 @@ void packing_i_front_tile_forget(packing_i_front_grid *grid, uint32_t tile)
 int packing_i_front_grid_reserve_bins(packing_i_front_grid *grid)
 {
   enum { BINS = PACKING_I_BIN_CHUNK };
-  if (grid->chunks >= UINT32_MAX / PACKING_I_FRONT_WIDTH / BINS ||
+  if (grid->chunks >= MORE / PACKING_I_FRONT_WIDTH / BINS ||
       !grow(grid->allocator, (void **)&grid->chunk, grid->chunks, &grid->chunk_room, 1,
             sizeof *grid->chunk))
     return 0;
@@ -201,11 +204,12 @@ static void clear_bin(packing_i_front_bin *bin)
 }
 
 /* Cells counted from the lowest corner of a tile with n cells along an edge; those of its
- * neighbours are negative or beyond its edge, down to -n and below 2 n. */
-static int cell_along(double p, double lo, double per_edge, int n)
+ * neighbours are negative or beyond its edge, down to -n and below 2 n. A conversion instead of
+ * floor(), which old instruction sets lack. */
+static inline int cell_along(double p, double lo, double per_edge, int n)
 {
-  const double c = floor((p - lo) * per_edge);
-  return c < -n ? -n : c >= 2 * n ? 2 * n - 1 : (int)c;
+  const double c = (p - lo) * per_edge + n;
+  return (c < 0 ? 0 : c >= 3 * n ? 3 * n - 1 : (int)c) - n;
 }
 
 static inline int part(int c, int n)
@@ -232,13 +236,14 @@ static uint32_t *cell_at(const packing_i_front_grid *grid, uint32_t tile, int x,
 static uint32_t add_to_cell(packing_i_front_grid *grid, uint32_t *cell,
                             const packing_vec3 *p, double r, uint32_t *free_bin)
 {
-  uint32_t b = *cell;
+  uint32_t b = *cell & ~MORE;
   if (b == 0 || packing_i_front_bin_at(grid, b)->count == PACKING_I_FRONT_WIDTH) {
+    const uint32_t first = b;
     b = *free_bin;
     *free_bin = packing_i_front_bin_at(grid, b)->next;
     clear_bin(packing_i_front_bin_at(grid, b));
-    packing_i_front_bin_at(grid, b)->next = *cell;
-    *cell = b;
+    packing_i_front_bin_at(grid, b)->next = first;
+    *cell = first == 0 ? b : b | MORE;
   }
   packing_i_front_bin *bin = packing_i_front_bin_at(grid, b);
   const uint32_t k = bin->count++;
@@ -304,10 +309,9 @@ void packing_i_front_tile_empty(packing_i_front_grid *grid, uint32_t tile)
   packing_i_front_tile *t = grid->tile + tile;
   const int cells = grid->n[0] * grid->n[1] * grid->n[2];
   for (int c = 0; t->cell != NULL && c < cells; c++)
-    while (t->cell[c] != 0) {
-      packing_i_front_bin *bin = packing_i_front_bin_at(grid, t->cell[c]);
-      const uint32_t b = t->cell[c];
-      t->cell[c] = bin->next;
+    for (uint32_t b = t->cell[c] & ~MORE, next; b != 0; b = next) {
+      packing_i_front_bin *bin = packing_i_front_bin_at(grid, b);
+      next = bin->next;
       bin->next = grid->free_bin;
       grid->free_bin = b;
     }
@@ -332,35 +336,36 @@ typedef struct look {
   double reach;
   packing_i_front_halo *halo;
   size_t count;
-  uint32_t bin[AHEAD];
+  const packing_i_front_bin *bin[AHEAD];
+  uint32_t place[AHEAD];
 } look;
 
 static int read_bins(look *l)
 {
-  for (size_t n = 0; n < l->count; n++) {
-    if (l->halo->count + PACKING_I_FRONT_WIDTH > l->halo->capacity)
-      return 0;
-    l->kernels->gather(packing_i_front_bin_at(l->grid, l->bin[n]),
-                       l->bin[n] * PACKING_I_FRONT_WIDTH, l->centre, l->reach, l->halo);
-  }
+  const size_t count = l->count;
   l->count = 0;
-  return 1;
+  return l->kernels->gather(l->bin, l->place, count, l->centre, l->reach, l->halo);
 }
 
-static int list_cell(look *l, uint32_t b)
+static int list_cell(look *l, uint32_t entry)
 {
-  while (b != 0) {
-    if (l->count == AHEAD && !read_bins(l))
-      return 0;
+  for (;;) {
+    const uint32_t b = entry & ~MORE;
     const packing_i_front_bin *bin = packing_i_front_bin_at(l->grid, b);
     __builtin_prefetch(bin->x);
     __builtin_prefetch(bin->y);
     __builtin_prefetch(bin->z);
     __builtin_prefetch(bin->r);
-    l->bin[l->count++] = b;
-    b = bin->next;
+    if (l->count == AHEAD && !read_bins(l))
+      return 0;
+    l->bin[l->count] = bin;
+    l->place[l->count++] = b * PACKING_I_FRONT_WIDTH;
+    if (!(entry & MORE))
+      return 1;
+    if (bin->next == 0)
+      return 1;
+    entry = bin->next | MORE;
   }
-  return 1;
 }
 
 /* The cells of a row from x0 to x1, which may lie in three tiles. */
@@ -385,8 +390,13 @@ int packing_i_front_grid_gather(const packing_i_front_grid *grid,
   const packing_vec3 lo = grid->tile[tile].lo, per = grid->per_edge;
   const double far = reach + max_r;
   const double far2 = far * far;
-  look l = {
-      .grid = grid, .kernels = kernels, .centre = centre, .reach = reach, .halo = halo};
+  look l; /* its arrays need no zeros */
+  l.grid = grid;
+  l.kernels = kernels;
+  l.centre = centre;
+  l.reach = reach;
+  l.halo = halo;
+  l.count = 0;
   const int y0 = cell_along(centre->y - far, lo.y, per.y, grid->n[1]),
             y1 = cell_along(centre->y + far, lo.y, per.y, grid->n[1]),
             z0 = cell_along(centre->z - far, lo.z, per.z, grid->n[2]),

@@ -18,6 +18,18 @@ static inline unsigned mask_bits(const packing_i_front_mask *m)
   return bits;
 }
 
+static inline void pack(double *to, const packing_i_front_vector *v, unsigned bits)
+{
+  for (const double *from = (const double *)v; bits != 0; bits &= bits - 1)
+    *to++ = from[__builtin_ctz(bits)];
+}
+
+static inline void pack_numbers(uint32_t *to, uint32_t first, unsigned bits)
+{
+  for (; bits != 0; bits &= bits - 1)
+    *to++ = first + (uint32_t)__builtin_ctz(bits);
+}
+
 #include "front_kernels_body.h"
 
 const packing_i_front_kernels packing_i_front_kernels_baseline = {

@@ -70,10 +70,11 @@ typedef struct packing_i_front_curves {
 } packing_i_front_curves;
 
 typedef struct packing_i_front_kernels {
-  /* Adds the spheres of a bin whose surface is within `reach` of `centre`; x, y, z, r and id.
-   * There is room for a whole bin. */
-  void (*gather)(const packing_i_front_bin *bin, uint32_t place,
-                 const packing_vec3 *centre, double reach, packing_i_front_halo *halo);
+  /* Adds the spheres of `count` bins whose surface is within `reach` of `centre`; x, y, z, r and
+   * id. place[n]: that of the first sphere of bin n. Returns 0 when the halo has no room. */
+  int (*gather)(const packing_i_front_bin *const *bin, const uint32_t *place,
+                size_t count, const packing_vec3 *centre, double reach,
+                packing_i_front_halo *halo);
   /* a and b of the first `count` bodies, which are spheres. */
   void (*bodies)(packing_i_front_halo *halo, size_t count, double sphere_r);
   /* Adds the two centres of cap `first` with each of the later caps, where they exist. */

@@ -21,6 +21,18 @@ TARGET static inline unsigned mask_bits(const packing_i_front_mask *m)
          (unsigned)_mm256_movemask_pd(_mm256_load_pd(half + 4)) << 4;
 }
 
+TARGET static inline void pack(double *to, const packing_i_front_vector *v, unsigned bits)
+{
+  for (const double *from = (const double *)v; bits != 0; bits &= bits - 1)
+    *to++ = from[__builtin_ctz(bits)];
+}
+
+TARGET static inline void pack_numbers(uint32_t *to, uint32_t first, unsigned bits)
+{
+  for (; bits != 0; bits &= bits - 1)
+    *to++ = first + (uint32_t)__builtin_ctz(bits);
+}
+
 #include "front_kernels_body.h"
 
 const packing_i_front_kernels packing_i_front_kernels_avx2 = {gather, bodies,   pairs,

@@ -4,6 +4,9 @@
  *   TARGET                 attribute of every function
  *   take_root(v)           replaces eight doubles, none negative, by their roots
  *   mask_bits(m)           bit k set where lane k of a comparison is true
+ *   pack(to, v, bits)      the lanes of v whose bits are set, one after the other; a whole vector
+ *                          may be written
+ *   pack_numbers(to, first, bits)  the same for first, first + 1 ...
  * A vector is eight doubles for all sets; the compiler cuts it to what the machine has. Vectors
  * are handed over by pointer: not all machines have registers for them. */
 
@@ -21,27 +24,33 @@ typedef packing_i_front_mask mask;
 
 static const vector lanes = {0, 1, 2, 3, 4, 5, 6, 7};
 
-TARGET static void gather(const packing_i_front_bin *bin, uint32_t place,
-                          const packing_vec3 *centre, double reach,
-                          packing_i_front_halo *halo)
+TARGET static int gather(const packing_i_front_bin *const *bin, const uint32_t *place,
+                         size_t count, const packing_vec3 *centre, double reach,
+                         packing_i_front_halo *halo)
 {
-  const vector x = LOAD(bin->x) - ALL(centre->x), y = LOAD(bin->y) - ALL(centre->y),
-               z = LOAD(bin->z) - ALL(centre->z), r = LOAD(bin->r);
-  const vector far = r + ALL(reach);
-  const mask within = x * x + y * y + z * z <= far * far;
-  unsigned bits = mask_bits(&within);
+  const vector cx = ALL(centre->x), cy = ALL(centre->y), cz = ALL(centre->z),
+               near = ALL(reach);
   size_t n = halo->count;
-  if (bits != 0)
-    __builtin_prefetch(bin->pockets); /* they are asked for next */
-  for (; bits != 0; bits &= bits - 1, n++) {
-    const unsigned k = (unsigned)__builtin_ctz(bits);
-    halo->x[n] = bin->x[k] - centre->x;
-    halo->y[n] = bin->y[k] - centre->y;
-    halo->z[n] = bin->z[k] - centre->z;
-    halo->r[n] = bin->r[k];
-    halo->id[n] = place + k;
+  for (size_t b = 0; b < count; b++) {
+    const vector x = LOAD(bin[b]->x) - cx, y = LOAD(bin[b]->y) - cy,
+                 z = LOAD(bin[b]->z) - cz, r = LOAD(bin[b]->r);
+    const vector far = r + near;
+    const mask within = x * x + y * y + z * z <= far * far;
+    const unsigned bits = mask_bits(&within);
+    if (bits == 0)
+      continue;
+    if (n + WIDTH > halo->capacity)
+      return 0;
+    __builtin_prefetch(bin[b]->pockets); /* they are asked for next */
+    pack(halo->x + n, &x, bits);
+    pack(halo->y + n, &y, bits);
+    pack(halo->z + n, &z, bits);
+    pack(halo->r + n, &r, bits);
+    pack_numbers(halo->id + n, place[b], bits);
+    n += (size_t)__builtin_popcount(bits);
   }
   halo->count = n;
+  return 1;
 }
 
 TARGET static void bodies(packing_i_front_halo *halo, size_t count, double sphere_r)
@@ -211,7 +220,7 @@ TARGET static void interval(const packing_i_front_curve *curve,
                        (number != ALL((double)k));
     /* Up to the cap no body is met where even the largest s leaves room. */
     const vector away = MAX(w, ALL(0.0)) * most;
-    const mask meets = (u + v * start < away) | (u + v * end < away);
+    const mask meets = ((u + v * start < away) | (u + v * end < away)) & other;
     if (mask_bits(&meets) == 0)
       continue;
     const vector body[3] = {u, v, w};

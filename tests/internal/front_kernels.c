@@ -82,40 +82,51 @@ static size_t sets(const packing_i_front_kernels *set[3])
 
 /* ---- gather ---- */
 
+static void gather_plainly(const packing_i_front_bin *bin, uint32_t first,
+                           const packing_vec3 *centre, double reach, around *want)
+{
+  for (unsigned k = 0; k < bin->count; k++) {
+    const double x = bin->x[k] - centre->x, y = bin->y[k] - centre->y,
+                 z = bin->z[k] - centre->z, far = bin->r[k] + reach;
+    if (!(x * x + y * y + z * z <= far * far))
+      continue;
+    const size_t t = want->halo.count++;
+    want->x[t] = x;
+    want->y[t] = y;
+    want->z[t] = z;
+    want->r[t] = bin->r[k];
+    want->id[t] = first + k;
+  }
+}
+
 static void gather(void **state)
 {
   (void)state;
   const packing_i_front_kernels *set[3];
   const size_t count = sets(set);
   for (int n = 0; n < 20000; n++) {
-    packing_i_front_bin bin __attribute__((aligned(64)));
-    memset(&bin, 0, sizeof bin);
-    bin.count = (uint32_t)(8.999 * packing_rng_uniform(rng));
-    for (unsigned k = 0; k < 8; k++) {
-      bin.x[k] = k < bin.count ? between(-3, 3) : HUGE_VAL;
-      bin.y[k] = between(-3, 3);
-      bin.z[k] = between(-3, 3);
-      bin.r[k] = between(0.3, 1.1);
+    packing_i_front_bin bin[2] __attribute__((aligned(64)));
+    memset(bin, 0, sizeof bin);
+    for (unsigned m = 0; m < 2; m++) {
+      bin[m].count = (uint32_t)(8.999 * packing_rng_uniform(rng));
+      for (unsigned k = 0; k < 8; k++) {
+        bin[m].x[k] = k < bin[m].count ? between(-3, 3) : HUGE_VAL;
+        bin[m].y[k] = between(-3, 3);
+        bin[m].z[k] = between(-3, 3);
+        bin[m].r[k] = between(0.3, 1.1);
+      }
     }
+    const packing_i_front_bin *const bins[2] = {bin, bin + 1};
+    const uint32_t first[2] = {800, 1600};
     const packing_vec3 centre = point(3);
     const double reach = between(0.1, 3);
     around want, got;
     around_init(&want, (size_t)(n % 40));
-    for (unsigned k = 0; k < bin.count; k++) {
-      const double x = bin.x[k] - centre.x, y = bin.y[k] - centre.y,
-                   z = bin.z[k] - centre.z, far = bin.r[k] + reach;
-      if (!(x * x + y * y + z * z <= far * far))
-        continue;
-      const size_t t = want.halo.count++;
-      want.x[t] = x;
-      want.y[t] = y;
-      want.z[t] = z;
-      want.r[t] = bin.r[k];
-      want.id[t] = 800 + k;
-    }
+    for (unsigned m = 0; m < 2; m++)
+      gather_plainly(bin + m, first[m], &centre, reach, &want);
     for (size_t k = 0; k < count; k++) {
       around_init(&got, (size_t)(n % 40));
-      set[k]->gather(&bin, 800, &centre, reach, &got.halo);
+      assert_true(set[k]->gather(bins, first, 2, &centre, reach, &got.halo));
       assert_int_equal(got.halo.count, want.halo.count);
       for (size_t t = (size_t)(n % 40); t < want.halo.count; t++) {
         assert_true(got.x[t] == want.x[t] && got.y[t] == want.y[t] &&
