@@ -10,62 +10,18 @@
  * again, until that changes nothing. */
 #include "front_pockets.h"
 
-/* Cosine of the half angle of the cap that the body takes from the sphere of centres; wide caps
- * have small ones. */
-static double narrowness(double top, double square, double distance)
-{
-  return top / (sqrt(square) * distance);
-}
-
-static void cap_set(packing_i_front_caps *caps, size_t n,
-                    const packing_i_front_halo *halo, size_t t,
-                    const packing_i_pockets *p)
-{
-  const double square =
-      halo->x[t] * halo->x[t] + halo->y[t] * halo->y[t] + halo->z[t] * halo->z[t];
-  const int wall = (halo->id[t] & PACKING_I_FRONT_WALL) != 0;
-  caps->x[n] = halo->x[t];
-  caps->y[n] = halo->y[t];
-  caps->z[n] = halo->z[t];
-  caps->square[n] = square;
-  caps->top[n] = halo->a[t] + halo->b[t] * p->reference_r;
-  caps->room[n] =
-      caps->top[n] + (wall && p->curved ? p->mean_r * p->mean_r * 0.1 : p->slack);
-  caps->reach[n] = halo->r[t] + p->reference_r;
-  caps->halo[n] = (uint32_t)t;
-}
-
 /* The bodies that a particle of the reference radius can touch beside the sphere, widest cap
- * first. */
-static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, double r)
+ * first. In two dimensions every triple has the plane: it comes before all. */
+static void choose_caps(const packing_i_pockets *p, packing_i_front_lane *lane, double r,
+                        size_t plane)
 {
-  const packing_i_front_halo *halo = &lane->halo;
   packing_i_front_caps *caps = &lane->caps;
-  const double distance = r + p->reference_r;
-  double *narrow = lane->curves.room; /* not in use here */
-  uint32_t *order = lane->curve_pocket;
-  size_t count = 0;
-  for (size_t t = 0; t < halo->count && count + 1 < lane->curve_room; t++) {
-    const double square =
-        halo->x[t] * halo->x[t] + halo->y[t] * halo->y[t] + halo->z[t] * halo->z[t];
-    const double top = halo->a[t] + halo->b[t] * p->reference_r;
-    if (!(top * top <= square * distance * distance))
-      continue;
-    /* In two dimensions every triple has the plane: it comes first. */
-    const double cosine = halo->id[t] == (PACKING_I_FRONT_WALL | PACKING_I_FRONT_PLANE)
-                              ? -2
-                              : narrowness(top, square, distance);
-    size_t n = count++;
-    for (; n > 0 && narrow[n - 1] > cosine; n--) {
-      narrow[n] = narrow[n - 1];
-      order[n] = order[n - 1];
-    }
-    narrow[n] = cosine;
-    order[n] = (uint32_t)t;
+  const double bent = p->curved ? p->mean_r * p->mean_r * 0.1 : p->slack;
+  p->kernels->caps(&lane->halo, plane, p->reference_r, r + p->reference_r, caps);
+  for (size_t n = 0; n < caps->count; n++) {
+    const int wall = (lane->halo.id[caps->halo[n]] & PACKING_I_FRONT_WALL) != 0;
+    caps->room[n] = caps->top[n] + (wall ? bent : p->slack);
   }
-  for (size_t n = 0; n < count; n++)
-    cap_set(caps, n, halo, order[n], p);
-  caps->count = count;
 }
 
 /* ---- one candidate ---- */
@@ -337,10 +293,12 @@ void packing_i_pockets_born(packing_i_pockets *p, packing_i_front_lane *lane,
   packing_i_front_halo *halo = &lane->halo;
   packing_i_front_candidates *candidates = &lane->candidates;
   const packing_vec3 zero = packing_i_vec(0, 0, 0);
+  size_t at_plane = PACKING_I_FRONT_NO_BODY;
   p->kernels->bodies(halo, halo->count, r);
   if (p->dim == 2) {
     const packing_i_front_body plane = packing_i_front_plane();
     const size_t n = halo->count++;
+    at_plane = n;
     halo->x[n] = halo->y[n] = 0;
     halo->z[n] = p->mean_r;
     halo->a[n] = plane.a;
@@ -351,14 +309,10 @@ void packing_i_pockets_born(packing_i_pockets *p, packing_i_front_lane *lane,
   if (!p->grid.tile[tile].clear)
     packing_i_front_walls_gather(p, centre, zero, r + 2 * packing_i_front_most(p, r),
                                  halo);
-  choose_caps(p, lane, r);
+  choose_caps(p, lane, r, at_plane);
   candidates->count = 0;
-  const size_t firsts = p->dim == 2 ? 1 : lane->caps.count;
-  for (size_t first = 0; first < firsts; first++) {
-    if (candidates->count + 2 * lane->caps.count + 16 > candidates->capacity)
-      break;
-    p->kernels->pairs(&lane->caps, first, r + p->reference_r, candidates);
-  }
+  p->kernels->pairs(&lane->caps, p->dim == 2 ? 1 : lane->caps.count, r + p->reference_r,
+                    candidates);
   p->kernels->sieve(&lane->caps, candidates);
   const size_t kept = keep_lowest(&b);
   for (size_t n = 0; n < kept; n++)

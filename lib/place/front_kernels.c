@@ -33,7 +33,7 @@ static inline void pack_numbers(uint32_t *to, uint32_t first, unsigned bits)
 #include "front_kernels_body.h"
 
 const packing_i_front_kernels packing_i_front_kernels_baseline = {
-    gather, bodies, pairs, sieve, interval, bounds};
+    gather, bodies, caps, pairs, sieve, interval, bounds};
 
 const packing_i_front_kernels *packing_i_front_kernels_for(packing_isa isa)
 {

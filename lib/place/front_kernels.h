@@ -45,8 +45,15 @@ typedef struct packing_i_front_caps {
   double *room;   /* top and what rounding or a wall's curvature may take */
   double *reach;  /* r + reference radius */
   uint32_t *halo; /* which body of the halo */
+  double *
+      cosine; /* of the half angle, in the order of the halo: wide caps have small ones */
+  uint32_t *order; /* of the halo */
   size_t count;
+  size_t capacity;
 } packing_i_front_caps;
+
+/* No body of a halo. */
+#define PACKING_I_FRONT_NO_BODY SIZE_MAX
 
 /* Centres that touch the sphere and two bodies at the reference radius. */
 typedef struct packing_i_front_candidates {
@@ -77,8 +84,13 @@ typedef struct packing_i_front_kernels {
                 packing_i_front_halo *halo);
   /* a and b of the first `count` bodies, which are spheres. */
   void (*bodies)(packing_i_front_halo *halo, size_t count, double sphere_r);
-  /* Adds the two centres of cap `first` with each of the later caps, where they exist. */
-  void (*pairs)(const packing_i_front_caps *caps, size_t first, double distance,
+  /* The bodies of a halo that a particle of radius r, `distance` from the sphere's centre, can
+   * touch, widest cap first; the body `plane` before all. Of x, y, z, square, top, reach, halo. */
+  void (*caps)(const packing_i_front_halo *halo, size_t plane, double r, double distance,
+               packing_i_front_caps *caps);
+  /* The two centres of each of the first `firsts` caps with each of the later ones, where they
+   * exist and there is room for them. */
+  void (*pairs)(const packing_i_front_caps *caps, size_t firsts, double distance,
                 packing_i_front_candidates *candidates);
   /* Keeps the candidates that are free of all caps. */
   void (*sieve)(const packing_i_front_caps *caps, packing_i_front_candidates *candidates);

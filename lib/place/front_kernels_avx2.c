@@ -35,6 +35,6 @@ TARGET static inline void pack_numbers(uint32_t *to, uint32_t first, unsigned bi
 
 #include "front_kernels_body.h"
 
-const packing_i_front_kernels packing_i_front_kernels_avx2 = {gather, bodies,   pairs,
-                                                              sieve,  interval, bounds};
+const packing_i_front_kernels packing_i_front_kernels_avx2 = {
+    gather, bodies, caps, pairs, sieve, interval, bounds};
 #endif

@@ -64,22 +64,77 @@ TARGET static void bodies(packing_i_front_halo *halo, size_t count, double spher
   }
 }
 
+/* What could be touched at all; the body `plane` gets the smallest cosine. */
+TARGET static void list_caps(const packing_i_front_halo *halo, size_t plane, double r,
+                             double distance, packing_i_front_caps *caps)
+{
+  size_t n = 0;
+  for (size_t t = 0; t < halo->count && n + WIDTH <= caps->capacity; t += WIDTH) {
+    const vector x = LOAD(halo->x + t), y = LOAD(halo->y + t), z = LOAD(halo->z + t);
+    const vector square = x * x + y * y + z * z;
+    const vector top = LOAD(halo->a + t) + LOAD(halo->b + t) * ALL(r);
+    const mask meets = (top * top <= square * ALL(distance * distance)) &
+                       (square > ALL(0.0)) & (lanes < ALL((double)(halo->count - t)));
+    const unsigned bits = mask_bits(&meets);
+    vector root = square;
+    take_root(&root);
+    const vector cosine = top / (root * ALL(distance));
+    pack(caps->cosine + n, &cosine, bits);
+    pack_numbers(caps->order + n, (uint32_t)t, bits);
+    n += (size_t)__builtin_popcount(bits);
+  }
+  for (size_t i = 0; i < n && plane != PACKING_I_FRONT_NO_BODY; i++)
+    if (caps->order[i] == plane)
+      caps->cosine[i] = -2;
+  caps->count = n;
+}
+
+/* Each goes to the place that is the number of those before it. */
+TARGET static void caps(const packing_i_front_halo *halo, size_t plane, double r,
+                        double distance, packing_i_front_caps *caps)
+{
+  list_caps(halo, plane, r, distance, caps);
+  for (size_t i = 0; i < caps->count; i++) {
+    const vector own = ALL(caps->cosine[i]);
+    unsigned rank = 0;
+    for (size_t t = 0; t < caps->count; t += WIDTH) {
+      const vector other = LOAD(caps->cosine + t), number = lanes + ALL((double)t);
+      const mask before = ((other < own) | ((other == own) & (number < ALL((double)i)))) &
+                          (number < ALL((double)caps->count));
+      rank += (unsigned)__builtin_popcount(mask_bits(&before));
+    }
+    const uint32_t t = caps->order[i];
+    const double x = halo->x[t], y = halo->y[t], z = halo->z[t];
+    caps->x[rank] = x;
+    caps->y[rank] = y;
+    caps->z[rank] = z;
+    caps->square[rank] = x * x + y * y + z * z;
+    caps->top[rank] = halo->a[t] + halo->b[t] * r;
+    caps->reach[rank] = halo->r[t] + r;
+    caps->halo[rank] = t;
+  }
+}
+
+/* Pairs of bodies close enough to be touched at once: p, its square and top, then q's. */
+enum { BATCH = 64 };
+typedef struct batch {
+  double column[10][BATCH + WIDTH] __attribute__((aligned(64)));
+  uint32_t pair[BATCH + WIDTH]; /* first << 16 | second */
+  size_t count;
+} batch;
+
 /* With p and q the two bodies, the centre is u p + v q +- w p x q, where u and v solve the two
  * linear equations and w what is left of the distance from the sphere. */
-TARGET static void pairs(const packing_i_front_caps *caps, size_t first, double distance,
+TARGET static void solve(batch *b, double distance,
                          packing_i_front_candidates *candidates)
 {
-  const vector px = ALL(caps->x[first]), py = ALL(caps->y[first]),
-               pz = ALL(caps->z[first]), pp = ALL(caps->square[first]),
-               ptop = ALL(caps->top[first]), preach = ALL(caps->reach[first]);
   const vector d2 = ALL(distance * distance), zero = ALL(0.0);
-  double out[6][WIDTH] __attribute__((aligned(64)));
-  size_t n = candidates->count;
-  for (size_t t = (first + 1) / WIDTH * WIDTH; t < caps->count; t += WIDTH) {
-    const vector qx = LOAD(caps->x + t), qy = LOAD(caps->y + t), qz = LOAD(caps->z + t),
-                 qq = LOAD(caps->square + t), qtop = LOAD(caps->top + t);
-    const vector reach = preach + LOAD(caps->reach + t);
-    const vector dx = px - qx, dy = py - qy, dz = pz - qz;
+  for (size_t t = 0; t < b->count; t += WIDTH) {
+    const vector px = LOAD(b->column[0] + t), py = LOAD(b->column[1] + t),
+                 pz = LOAD(b->column[2] + t), pp = LOAD(b->column[3] + t),
+                 ptop = LOAD(b->column[4] + t), qx = LOAD(b->column[5] + t),
+                 qy = LOAD(b->column[6] + t), qz = LOAD(b->column[7] + t),
+                 qq = LOAD(b->column[8] + t), qtop = LOAD(b->column[9] + t);
     const vector pq = px * qx + py * qy + pz * qz;
     const vector nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
     const vector det = nx * nx + ny * ny + nz * nz;
@@ -87,31 +142,64 @@ TARGET static void pairs(const packing_i_front_caps *caps, size_t first, double 
     const vector u = (qq * ptop - pq * qtop) * over, v = (pp * qtop - pq * ptop) * over;
     const vector cx = u * px + v * qx, cy = u * py + v * qy, cz = u * pz + v * qz;
     const vector left = d2 - (cx * cx + cy * cy + cz * cz);
+    const mask meets = (left >= zero) & (det > ALL(1e-9) * pp * qq) &
+                       (lanes < ALL((double)(b->count - t)));
+    unsigned bits = mask_bits(&meets);
+    const size_t n = candidates->count, found = (size_t)__builtin_popcount(bits);
+    if (n + 2 * WIDTH > candidates->capacity)
+      break;
     vector w = MAX(left, zero) * over;
     take_root(&w);
-    const vector number = lanes + ALL((double)t);
-    const mask meets = (dx * dx + dy * dy + dz * dz <= reach * reach) & (left >= zero) &
-                       (det > ALL(1e-9) * pp * qq) & (number > ALL((double)first)) &
-                       (number < ALL((double)caps->count));
-    unsigned bits = mask_bits(&meets);
-    STORE(out[0], cx + w * nx);
-    STORE(out[1], cy + w * ny);
-    STORE(out[2], cz + w * nz);
-    STORE(out[3], cx - w * nx);
-    STORE(out[4], cy - w * ny);
-    STORE(out[5], cz - w * nz);
-    for (; bits != 0; bits &= bits - 1) {
-      const unsigned k = (unsigned)__builtin_ctz(bits);
-      const uint32_t pair = (uint32_t)first << 16 | (uint32_t)(t + k) << 1;
-      for (size_t side = 0; side < 2; side++, n++) {
-        candidates->x[n] = out[3 * side][k];
-        candidates->y[n] = out[3 * side + 1][k];
-        candidates->z[n] = out[3 * side + 2][k];
-        candidates->pair[n] = pair | (uint32_t)side;
+    const vector side[6] = {cx + w * nx, cy + w * ny, cz + w * nz,
+                            cx - w * nx, cy - w * ny, cz - w * nz};
+    for (unsigned s = 0; s < 2; s++) {
+      const size_t at = n + s * found;
+      pack(candidates->x + at, side + (size_t)3 * s, bits);
+      pack(candidates->y + at, side + (size_t)3 * s + 1, bits);
+      pack(candidates->z + at, side + (size_t)3 * s + 2, bits);
+    }
+    for (size_t at = n; bits != 0; bits &= bits - 1, at++) {
+      const uint32_t pair = b->pair[t + (unsigned)__builtin_ctz(bits)];
+      candidates->pair[at] = (pair & 0xffff0000U) | (pair & 0xffff) << 1;
+      candidates->pair[at + found] = candidates->pair[at] | 1;
+    }
+    candidates->count += 2 * found;
+  }
+  b->count = 0;
+}
+
+TARGET static void pairs(const packing_i_front_caps *caps, size_t firsts, double distance,
+                         packing_i_front_candidates *candidates)
+{
+  batch b;
+  b.count = 0;
+  for (size_t first = 0; first < firsts; first++) {
+    const vector p[5] = {ALL(caps->x[first]), ALL(caps->y[first]), ALL(caps->z[first]),
+                         ALL(caps->square[first]), ALL(caps->top[first])};
+    const vector preach = ALL(caps->reach[first]);
+    for (size_t t = (first + 1) / WIDTH * WIDTH; t < caps->count; t += WIDTH) {
+      const vector q[5] = {LOAD(caps->x + t), LOAD(caps->y + t), LOAD(caps->z + t),
+                           LOAD(caps->square + t), LOAD(caps->top + t)};
+      const vector reach = preach + LOAD(caps->reach + t);
+      const vector dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
+      const vector number = lanes + ALL((double)t);
+      const mask near = (dx * dx + dy * dy + dz * dz <= reach * reach) &
+                        (number > ALL((double)first)) &
+                        (number < ALL((double)caps->count));
+      const unsigned bits = mask_bits(&near);
+      if (bits == 0)
+        continue;
+      for (unsigned k = 0; k < 5; k++) {
+        __builtin_memcpy(b.column[k] + b.count, p + k, sizeof *p);
+        pack(b.column[5 + k] + b.count, q + k, bits);
       }
+      pack_numbers(b.pair + b.count, (uint32_t)first << 16 | (uint32_t)t, bits);
+      b.count += (size_t)__builtin_popcount(bits);
+      if (b.count > BATCH - WIDTH)
+        solve(&b, distance, candidates);
     }
   }
-  candidates->count = n;
+  solve(&b, distance, candidates);
 }
 
 TARGET static void sieve(const packing_i_front_caps *caps,

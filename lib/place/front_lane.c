@@ -41,6 +41,9 @@ static void lay_out(packing_i_front_lane *lane, carver *c, size_t halo_room)
   for (int k = 0; k < 7; k++)
     *cap[k] = numbers(c, CURVES);
   s->halo = carve(c, CURVES, sizeof *s->halo);
+  s->cosine = numbers(c, CURVES);
+  s->order = carve(c, CURVES, sizeof *s->order);
+  s->capacity = CURVES;
   packing_i_front_candidates *n = &lane->candidates;
   n->x = numbers(c, CANDIDATES);
   n->y = numbers(c, CANDIDATES);
