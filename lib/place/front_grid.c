@@ -217,15 +217,15 @@ static inline int part(int c, int n)
   return c < 0 ? 0 : c < n ? 1 : 2;
 }
 
-static uint32_t tile_at(const packing_i_front_grid *grid, uint32_t tile, int x, int y,
-                        int z)
+static inline uint32_t tile_at(const packing_i_front_grid *grid, uint32_t tile, int x,
+                               int y, int z)
 {
   const int *n = grid->n;
   return grid->tile[tile].around[(part(z, n[2]) * 3 + part(y, n[1])) * 3 + part(x, n[0])];
 }
 
-static uint32_t *cell_at(const packing_i_front_grid *grid, uint32_t tile, int x, int y,
-                         int z)
+static inline uint32_t *cell_at(const packing_i_front_grid *grid, uint32_t tile, int x,
+                                int y, int z)
 {
   const int *n = grid->n;
   const int cx = x - (part(x, n[0]) - 1) * n[0], cy = y - (part(y, n[1]) - 1) * n[1],
@@ -323,11 +323,12 @@ void packing_i_front_tile_empty(packing_i_front_grid *grid, uint32_t tile)
 static inline double beyond2(double p, double lo, double cell, int c)
 {
   const double left = lo + c * cell - p, right = p - (lo + (c + 1) * cell);
-  const double d = left > 0 ? left : right > 0 ? right : 0;
+  const double far = left > right ? left : right;
+  const double d = far > 0 ? far : 0;
   return d * d;
 }
 
-/* A look around a centre: bins are listed and asked for ahead, then read. */
+/* A look around a centre: cells are listed, their bins asked for ahead, then read. */
 enum { AHEAD = 256 };
 typedef struct look {
   const packing_i_front_grid *grid;
@@ -336,36 +337,39 @@ typedef struct look {
   double reach;
   packing_i_front_halo *halo;
   size_t count;
-  const packing_i_front_bin *bin[AHEAD];
-  uint32_t place[AHEAD];
+  uint32_t entry[AHEAD + 1]; /* of cells that are not empty */
 } look;
 
-static int read_bins(look *l)
+static int read_bins(const look *l, const packing_i_front_bin *const *bin,
+                     const uint32_t *place, size_t count)
 {
-  const size_t count = l->count;
-  l->count = 0;
-  return l->kernels->gather(l->bin, l->place, count, l->centre, l->reach, l->halo);
+  return l->kernels->gather(bin, place, count, l->centre, l->reach, l->halo);
 }
 
-static int list_cell(look *l, uint32_t entry)
+static int read_cells(look *l)
 {
-  for (;;) {
-    const uint32_t b = entry & ~MORE;
-    const packing_i_front_bin *bin = packing_i_front_bin_at(l->grid, b);
-    __builtin_prefetch(bin->x);
-    __builtin_prefetch(bin->y);
-    __builtin_prefetch(bin->z);
-    __builtin_prefetch(bin->r);
-    if (l->count == AHEAD && !read_bins(l))
-      return 0;
-    l->bin[l->count] = bin;
-    l->place[l->count++] = b * PACKING_I_FRONT_WIDTH;
-    if (!(entry & MORE))
-      return 1;
-    if (bin->next == 0)
-      return 1;
-    entry = bin->next | MORE;
+  const packing_i_front_bin *bin[AHEAD];
+  uint32_t place[AHEAD];
+  for (size_t n = 0; n < l->count; n++) {
+    const uint32_t b = l->entry[n] & ~MORE;
+    bin[n] = packing_i_front_bin_at(l->grid, b);
+    place[n] = b * PACKING_I_FRONT_WIDTH;
+    __builtin_prefetch(bin[n]->x);
+    __builtin_prefetch(bin[n]->y);
+    __builtin_prefetch(bin[n]->z);
+    __builtin_prefetch(bin[n]->r);
   }
+  if (!read_bins(l, bin, place, l->count))
+    return 0;
+  for (size_t n = 0; n < l->count; n++)
+    for (uint32_t b = l->entry[n] & MORE ? bin[n]->next : 0; b != 0; b = bin[n]->next) {
+      bin[n] = packing_i_front_bin_at(l->grid, b);
+      place[n] = b * PACKING_I_FRONT_WIDTH;
+      if (!read_bins(l, bin + n, place + n, 1))
+        return 0;
+    }
+  l->count = 0;
+  return 1;
 }
 
 /* The cells of a row from x0 to x1, which may lie in three tiles. */
@@ -375,9 +379,12 @@ static int list_row(look *l, uint32_t tile, int y, int z, int x0, int x1)
     const int n = l->grid->n[0];
     const int last = x1 < part(x, n) * n - 1 ? x1 : part(x, n) * n - 1;
     const uint32_t *cell = cell_at(l->grid, tile, x, y, z);
-    for (; x <= last; x++, cell++)
-      if (*cell != 0 && !list_cell(l, *cell))
-        return 0;
+    if (l->count + (size_t)(last - x + 1) > AHEAD && !read_cells(l))
+      return 0;
+    for (; x <= last; x++, cell++) { /* no branches: which are empty is hard to guess */
+      l->entry[l->count] = *cell;
+      l->count += *cell != 0;
+    }
   }
   return 1;
 }
@@ -390,7 +397,7 @@ int packing_i_front_grid_gather(const packing_i_front_grid *grid,
   const packing_vec3 lo = grid->tile[tile].lo, per = grid->per_edge;
   const double far = reach + max_r;
   const double far2 = far * far;
-  look l; /* its arrays need no zeros */
+  look l; /* its array needs no zeros */
   l.grid = grid;
   l.kernels = kernels;
   l.centre = centre;
@@ -414,5 +421,5 @@ int packing_i_front_grid_gather(const packing_i_front_grid *grid,
         return 0;
     }
   }
-  return read_bins(&l);
+  return read_cells(&l);
 }
