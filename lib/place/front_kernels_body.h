@@ -255,11 +255,12 @@ TARGET static inline void exits(const vector *room, const vector s2[3], const ve
   *second = MAX(one, two);
 }
 
-static inline void meet(packing_i_front_interval *interval, double r)
+/* 0: r is no exit that counts, nor is any beyond it. */
+static inline int meet(packing_i_front_interval *interval, double r)
 {
   double *e = interval->exit;
   if (!(r < e[2]))
-    return;
+    return 0;
   if (r < e[1]) {
     e[2] = e[1];
     if (r < e[0]) {
@@ -271,6 +272,7 @@ static inline void meet(packing_i_front_interval *interval, double r)
   } else {
     e[2] = r;
   }
+  return 1;
 }
 
 TARGET static void interval(const packing_i_front_curve *curve,
@@ -331,8 +333,8 @@ TARGET static void interval(const packing_i_front_curve *curve,
   result->lo = r;
   result->exit[0] = result->exit[1] = result->exit[2] = HUGE_VAL;
   for (unsigned n = 0; n < WIDTH; n++) {
-    for (unsigned e = 0; e < 3; e++)
-      meet(result, lane[e][n]);
+    for (unsigned e = 0; e < 3 && meet(result, lane[e][n]); e++)
+      ;
     if (lane[3][n] > result->lo)
       result->lo = lane[3][n];
   }

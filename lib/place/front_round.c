@@ -144,6 +144,9 @@ static void muster(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t t)
   while (*link != 0) {
     const uint32_t id = *link;
     packing_i_pocket *pocket = packing_i_pocket_at(p, id);
+    const packing_i_pocket *after = packing_i_pocket_at(p, pocket->home_next);
+    __builtin_prefetch(after);
+    __builtin_prefetch(after->exit);
     if (pocket->alive && pocket->key < p->level - 3 * p->level_step) {
       size_t index;
       if (!(packing_i_pocket_score(p, lane, pocket, &index) < HUGE_VAL))

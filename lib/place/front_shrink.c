@@ -131,6 +131,7 @@ void packing_i_pockets_shrink(packing_i_pockets *p, packing_i_front_lane *lane, 
     const packing_i_front_body body = packing_i_front_sphere(from, r, halo->r[t]);
     for (uint32_t id = bin->pockets[k]; id != 0; id = packing_i_pocket_at(p, id)->next) {
       const packing_i_pocket *pocket = packing_i_pocket_at(p, id);
+      __builtin_prefetch(packing_i_pocket_at(p, pocket->next));
       const double x = from.x - (double)pocket->middle[0],
                    y = from.y - (double)pocket->middle[1],
                    z = from.z - (double)pocket->middle[2],
