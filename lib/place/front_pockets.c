@@ -31,7 +31,7 @@ static void set_lengths(packing_i_pockets *p)
   p->equal = !(p->max_r > p->min_r);
   p->reference_r = p->equal ? p->max_r : 0.85 * p->mean_r;
   p->wide = p->max_r > PACKING_I_FRONT_RATIO * p->min_r;
-  p->cap = 1.5;
+  p->cap = 1.2;
   p->slack = 1e-12 * p->mean_r * p->mean_r;
   const packing_bounds *b = &p->bounds;
   const double far =
@@ -60,7 +60,7 @@ static void set_weights(packing_i_pockets *p, const packing_front_def *def)
   p->second = looks_ahead ? 0.4 : 0;
   p->third = looks_ahead ? 0.1 : 0;
   p->exits = looks_ahead ? 3 : 1;
-  p->order = narrow ? 3 : 0.3;
+  p->order = narrow ? 3 : 0.1;
   p->balance = p->equal ? 0 : p->dim == 2 ? 2 : 0.1;
   p->level_step = (narrow ? 0.3 : 2) * p->mean_r;
   p->litter = fast ? litter_for(p, narrow) : SIZE_MAX;
