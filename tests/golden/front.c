@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The front's paper mode: one hash for any threads and instruction set, and that of this version. */
+/* The front: one hash for any threads and instruction set, and that of this version. */
 #include "cluster.h"
 #include "front_scenes.h"
 
@@ -25,7 +25,7 @@ static void check(const packing_front_def *def, int room, uint64_t known)
 {
   const uint64_t hash = run(def, room, 0, PACKING_ISA_AUTO);
   if (hash != known)
-    print_message("room %d: %#llx\n", room, (unsigned long long)hash);
+    print_message("# room %d: %#llx\n", room, (unsigned long long)hash);
   assert_true(hash == known);
   for (int threads = 1; threads <= 8; threads *= 2)
     assert_true(run(def, room, threads, PACKING_ISA_AUTO) == hash);
@@ -66,6 +66,19 @@ static void other_contacts(void **state)
   check(&def, 0, UINT64_C(0x64b76b93878baf04));
 }
 
+static void pockets(void **state)
+{
+  (void)state;
+  packing_front_def def;
+  packing_front_def_init(&def);
+  check(&def, 0, UINT64_C(0x5e23a796a0ac481b));
+  check(&def, 2, UINT64_C(0x4ce8a11e25429e76));
+  def.mode = PACKING_FRONT_FAST;
+  check(&def, 9, UINT64_C(0x457ff4536d8f6c6c));
+  def.direction = PACKING_FRONT_INWARD;
+  check(&def, 4, UINT64_C(0xfaaf3a02e6001bc2));
+}
+
 /* Seed and stream matter. */
 static void seeds_and_streams_differ(void **state)
 {
@@ -85,6 +98,7 @@ int main(void)
       cmocka_unit_test(outward),
       cmocka_unit_test(inward),
       cmocka_unit_test(other_contacts),
+      cmocka_unit_test(pockets),
       cmocka_unit_test(seeds_and_streams_differ),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -164,16 +164,26 @@ static void bodies(void **state)
 /* ---- pairs and sieve ---- */
 
 typedef struct caps {
-  column x, y, z, square, top, room, reach;
-  uint32_t halo[MOST];
+  column x, y, z, square, top, room, reach, cosine;
+  uint32_t halo[MOST], order[MOST];
   packing_i_front_caps c;
 } caps;
 
+static void caps_init(caps *s, size_t count)
+{
+  double *const all[] = {s->x,   s->y,    s->z,     s->square,
+                         s->top, s->room, s->reach, s->cosine};
+  for (size_t k = 0; k < 8; k++)
+    taint(all[k], 0, MOST);
+  const packing_i_front_caps c = {s->x,      s->y,     s->z,     s->square,
+                                  s->top,    s->room,  s->reach, s->halo,
+                                  s->cosine, s->order, count,    MOST};
+  s->c = c;
+}
+
 static void caps_fill(caps *s, const around *of, size_t count, double reference)
 {
-  double *const all[] = {s->x, s->y, s->z, s->square, s->top, s->room, s->reach};
-  for (size_t k = 0; k < 7; k++)
-    taint(all[k], 0, MOST);
+  caps_init(s, count);
   for (size_t t = 0; t < count; t++) {
     s->x[t] = of->x[t];
     s->y[t] = of->y[t];
@@ -184,9 +194,6 @@ static void caps_fill(caps *s, const around *of, size_t count, double reference)
     s->reach[t] = of->r[t] + reference;
     s->halo[t] = (uint32_t)t;
   }
-  const packing_i_front_caps c = {s->x,    s->y,     s->z,    s->square, s->top,
-                                  s->room, s->reach, s->halo, count};
-  s->c = c;
 }
 
 typedef struct found {
@@ -219,12 +226,21 @@ static int same_candidates(const found *a, const found *b)
          memcmp(a->pair, b->pair, a->c.count * sizeof *a->pair) == 0;
 }
 
+/* Where the candidate of a pair is; the count: nowhere. */
+static size_t find(const found *f, uint32_t pair)
+{
+  size_t n = 0;
+  while (n < f->c.count && f->pair[n] != pair)
+    n++;
+  return n;
+}
+
 /* Every pair that a curve can be made of, at the reference radius. Pairs at the edge of having a
  * solution, or of being within reach, are either way. */
 static void check_pairs(const found *f, const around *of, const caps *s, double own,
                         double reference)
 {
-  size_t n = 0;
+  size_t seen = 0;
   for (size_t i = 0; i < s->c.count; i++)
     for (size_t j = i + 1; j < s->c.count; j++) {
       const packing_i_front_body one = {packing_i_vec(of->x[i], of->y[i], of->z[i]),
@@ -241,25 +257,75 @@ static void check_pairs(const found *f, const around *of, const caps *s, double 
                 packing_i_front_curve_init(own, &one, &two, side ? -1 : 1, &curve) &&
                 packing_i_front_curve_at(&curve, reference, &c[side]);
       const uint32_t pair = (uint32_t)(i << 16 | j << 1);
-      const int given = n < f->c.count && f->pair[n] == pair;
+      const int given = find(f, pair) < f->c.count;
+      seen += given ? 2 : 0;
       if (given != there) { /* at the edge only */
         const double gap = fabs(packing_i_norm(d) - reach);
         const double s2 =
             curve.s2[0] + reference * (curve.s2[1] + reference * curve.s2[2]);
         assert_true(gap < 1e-9 || fabs(s2) < 1e-9);
-        n += given ? 2 : 0;
         continue;
       }
-      if (!given)
-        continue;
-      for (uint32_t side = 0; side < 2; side++, n++) {
-        assert_int_equal(f->pair[n], pair | side);
+      for (uint32_t side = 0; side < 2 && given; side++) {
+        const size_t n = find(f, pair | side);
+        assert_true(n < f->c.count);
         assert_near(f->x[n], c[side].x, 1e-6);
         assert_near(f->y[n], c[side].y, 1e-6);
         assert_near(f->z[n], c[side].z, 1e-6);
       }
     }
-  assert_int_equal(n, f->c.count);
+  assert_int_equal(seen, f->c.count);
+}
+
+/* The widest first, of all that could be touched, and the plane before them. */
+static void check_caps(const caps *s, const around *of, size_t plane, double reference,
+                       double distance)
+{
+  size_t wanted = 0;
+  for (size_t t = 0; t < of->halo.count; t++)
+    wanted +=
+        fabs(of->a[t] + of->b[t] * reference) <=
+        sqrt(of->x[t] * of->x[t] + of->y[t] * of->y[t] + of->z[t] * of->z[t]) * distance;
+  assert_int_equal(s->c.count, wanted);
+  double before = -3;
+  for (size_t n = 0; n < s->c.count; n++) {
+    const size_t t = s->halo[n];
+    assert_true(s->x[n] == of->x[t] && s->y[n] == of->y[t] && s->z[n] == of->z[t]);
+    assert_true(s->top[n] == of->a[t] + of->b[t] * reference);
+    assert_true(s->reach[n] == of->r[t] + reference);
+    const double cosine = t == plane ? -2 : s->top[n] / (sqrt(s->square[n]) * distance);
+    assert_true(before < cosine || (before == cosine && s->halo[n - 1] < t));
+    before = cosine;
+  }
+}
+
+static void caps_by_width(void **state)
+{
+  (void)state;
+  const packing_i_front_kernels *set[3];
+  const size_t sets_held = sets(set);
+  for (int n = 0; n < 4000; n++) {
+    const size_t count = (size_t)n % 41;
+    const double own = between(0.5, 1.5), reference = between(0.4, 1);
+    const size_t plane = n % 3 == 0 ? count / 2 : PACKING_I_FRONT_NO_BODY;
+    around of;
+    caps s[3];
+    around_fill(&of, count, own);
+    for (size_t t = 3; t + 3 < count; t += 5) { /* equal ones go by their number */
+      of.x[t] = of.x[t - 1];
+      of.y[t] = of.y[t - 1];
+      of.z[t] = of.z[t - 1];
+      of.a[t] = of.a[t - 1];
+      of.b[t] = of.b[t - 1];
+    }
+    for (size_t k = 0; k < sets_held; k++) {
+      caps_init(&s[k], 0);
+      set[k]->caps(&of.halo, plane, reference, own + reference, &s[k].c);
+      check_caps(&s[k], &of, plane, reference, own + reference);
+      assert_int_equal(s[k].c.count, s[0].c.count);
+      assert_memory_equal(s[k].halo, s[0].halo, s[0].c.count * sizeof *s->halo);
+    }
+  }
 }
 
 static void pairs_and_sieve(void **state)
@@ -278,8 +344,7 @@ static void pairs_and_sieve(void **state)
     caps_fill(&s, &of, count, reference);
     for (size_t k = 0; k < sets_held; k++) {
       found *f = found_new();
-      for (size_t i = 0; i < count; i++)
-        set[k]->pairs(&s.c, i, own + reference, &f->c);
+      set[k]->pairs(&s.c, count, own + reference, &f->c);
       if (k == 0) {
         check_pairs(f, &of, &s, own, reference);
         seen += f->c.count;
@@ -496,9 +561,9 @@ static int end(void **state)
 int main(void)
 {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(gather),          cmocka_unit_test(bodies),
-      cmocka_unit_test(pairs_and_sieve), cmocka_unit_test(interval),
-      cmocka_unit_test(bounds),
+      cmocka_unit_test(gather),        cmocka_unit_test(bodies),
+      cmocka_unit_test(caps_by_width), cmocka_unit_test(pairs_and_sieve),
+      cmocka_unit_test(interval),      cmocka_unit_test(bounds),
   };
   return cmocka_run_group_tests(tests, begin, end);
 }

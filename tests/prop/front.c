@@ -192,7 +192,7 @@ static void in_every_container(void **state)
                  store);
         const double least = dim == 2 ? 0.6 : 0.37;
         if (report.volume_fraction <= least)
-          print_message("room %zu sizes %zu way %d: %g\n", k, s, way,
+          print_message("# room %zu sizes %zu way %d: %g\n", k, s, way,
                         report.volume_fraction);
         assert_true(report.volume_fraction > least);
         packing_particles_destroy(store);
@@ -221,7 +221,7 @@ static void in_periodic_cells(void **state)
                      (packing_front_direction)(way >> 1), store);
             const double least = dim == 2 ? 0.45 : 0.25;
             if (report.volume_fraction <= least)
-              print_message("dim %d edge %g periodic %u way %d sizes %zu: %g, %zu\n", dim,
+              print_message("# dim %d edge %g periodic %u way %d sizes %zu: %g, %zu\n", dim,
                             l, periodic, way, s, report.volume_fraction, report.placed);
             assert_true(report.placed >= 4);
             assert_true(report.volume_fraction > least);
@@ -286,7 +286,7 @@ static void in_thin_containers(void **state)
       const packing_placer_report report = fill(
           domain, psd, pocket_modes[way & 1], (packing_front_direction)(way >> 1), store);
       if (report.placed < least[k])
-        print_message("thin %zu way %d: %zu\n", k, way, report.placed);
+        print_message("# thin %zu way %d: %zu\n", k, way, report.placed);
       assert_true(report.placed >= least[k]);
       if (least[k] == 1)
         assert_int_equal(report.placed, 1);

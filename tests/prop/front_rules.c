@@ -162,7 +162,7 @@ static void obstacles(void **state)
             assert_true(front_centre(store, i).x == before[i]);
           free_of_obstacles(domain, store, stood);
           if (report.placed <= (dim == 2 ? 10 : 60))
-            print_message("dim %d periodic %u which %u way %d: %zu\n", dim, periodic,
+            print_message("# dim %d periodic %u which %u way %d: %zu\n", dim, periodic,
                           which, way, report.placed);
           assert_true(report.placed > (dim == 2 ? 10 : 60));
           packing_particles_destroy(store);
@@ -279,7 +279,7 @@ static void regions(void **state)
         *(is_small ? &small : &large) += 1;
       }
       if (!(small > 600 && large > 90))
-        print_message("%zu %zu\n", small, large);
+        print_message("# %zu %zu\n", small, large);
       assert_true(small > 600 && large > 90);
       hash[way] = test_hash_particles(store);
       packing_particles_destroy(store);
@@ -382,7 +382,7 @@ static void sizes_keep_their_law(void **state)
         pocket_pack(NULL, &def, domain, psd, store);
         const double k = kolmogorov(psd, store);
         if (k >= 1.36)
-          print_message("dim %d way %d wide %d: %g\n", dim, way, wide, k);
+          print_message("# dim %d way %d wide %d: %g\n", dim, way, wide, k);
         assert_true(k < (wide ? 2.2 : 1.36));
         packing_particles_destroy(store);
         packing_psd_destroy(psd);

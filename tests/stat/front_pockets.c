@@ -33,7 +33,7 @@ static void spheres_of_uniform_sizes(void **state)
     packing_psd *psd = test_uniform(0.7, 1.3);
     packing_particles *store = cube(pocket_modes[mode], 78, psd, &domain);
     const double fraction = inner_fraction(domain, store);
-    print_message("%s %zu: %.4f\n", packing_front_mode_name(pocket_modes[mode]),
+    print_message("# %s %zu: %.4f\n", packing_front_mode_name(pocket_modes[mode]),
                   packing_particles_count(store), fraction);
     assert_true(fraction >= least[mode] && fraction <= most[mode]);
     packing_particles_destroy(store);
@@ -65,7 +65,7 @@ static void equal_spheres(void **state)
   assert_ok(packing_neighbours_create(NULL, &near, domain, &v, &bonds));
   assert_ok(packing_measure_bond_order(NULL, &six, bonds, NULL, 0, &order));
   packing_neighbours_destroy(bonds);
-  print_message("equal %zu: %.4f, Q6 %.4f\n", packing_particles_count(store), fraction,
+  print_message("# equal %zu: %.4f, Q6 %.4f\n", packing_particles_count(store), fraction,
                 order.whole);
   assert_true(fraction >= 0.60);
   assert_true(order.whole <= 0.05);
