@@ -62,11 +62,7 @@ static void report_method(cJSON *all, const front_options *o)
     report_select(all, o);
   else
     report_add_text(all, "select", NULL);
-  const size_t stock = o->mode == PACKING_FRONT_FAST ? 64 : 256;
-  report_add_count(all, "stock",
-                   paper            ? REPORT_NONE
-                   : o->stock_count ? o->stock_count
-                                    : stock);
+  report_add_count(all, "stock", o->stock_count ? o->stock_count : REPORT_NONE);
 }
 
 static cJSON *report_options(const front_job *job)

@@ -80,8 +80,8 @@ typedef struct packing_front_def {
        (default): spheres, discs */
   size_t
       stock; /**< fast and dense: radii drawn in advance from which the best is chosen, 1
-       to 4096; 0 (default): 64 when fast, 256 when dense, and fewer for less
-       than 2e5 particles */
+       to 4096; 0 (default): 64 when fast, 256 when dense, and fewer, down to 16,
+       for less than 2e5 particles and for very different sizes */
   const packing_front_class
       *classes;       /**< an exact list instead of a distribution (then psd
        is NULL); copied; NULL (default): none */

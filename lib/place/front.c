@@ -12,6 +12,10 @@ static const double innermost_share = 1e-3;
 /* About what an advancing front fills, to guess how long it still takes. */
 static const double fraction_2d = 0.84, fraction_3d = 0.62;
 
+/* Of the volume placed: as much as the stock may hold if all of it were as large as can be. */
+static const double stock_volume = 0.03;
+enum { STOCK_LEAST = 16, STOCK_FAST = 64, STOCK_DENSE = 256 };
+
 const char *packing_front_mode_name(packing_front_mode mode)
 {
   switch (mode) {
@@ -234,18 +238,33 @@ static double expected(const packing_front_def *d, const packing_domain *domain,
   return d->count != 0 ? fmin(n, (double)d->count) : n;
 }
 
-/* What stands in the stock at the end was not placed, and may be the sizes that fit worst: so it
- * stays below what a test of the sizes (1.36 / sqrt(n)) would notice. */
+/* The mean volume over the largest. */
+static double mean_in_largest(const packing_psd *psd, int dim)
+{
+  const double r = packing_psd_max_r(psd);
+  double moment;
+  if (packing_psd_moment(psd, PACKING_BY_NUMBER, dim, &moment) != PACKING_OK)
+    return 0;
+  return moment / (dim == 2 ? r * r : r * r * r);
+}
+
+/* What stands in the stock at the end was not placed, and will be the sizes that fit worst: so it
+ * stays below what a test of the sizes (1.36 / sqrt(n)) would notice, and, were all of it of the
+ * largest size, below a small share of the volume. */
 static size_t stock_of(const packing_front_def *d, const packing_domain *domain,
                        const packing_psd *psd)
 {
+  const double n = expected(d, domain, psd);
+  const double most = d->mode == PACKING_FRONT_FAST ? STOCK_FAST : STOCK_DENSE;
+  double share = 0.6 * sqrt(n);
   if (d->mode == PACKING_FRONT_PAPER)
     return 1;
   if (d->stock != 0)
     return d->stock;
-  const double most = d->mode == PACKING_FRONT_FAST ? 64 : 256;
-  const double share = 0.6 * sqrt(expected(d, domain, psd));
-  return share < 16 ? 16 : (size_t)fmin(share, most);
+  if (psd != NULL)
+    share =
+        fmin(share, stock_volume * n * mean_in_largest(psd, packing_domain_dim(domain)));
+  return share < STOCK_LEAST ? STOCK_LEAST : (size_t)fmin(share, most);
 }
 
 /* Goals, and the innermost point, which must hold the smallest particle. */
