@@ -231,7 +231,7 @@ static void try_candidate(const birth *b, size_t n)
   packing_i_front_interval interval;
   const double most = packing_i_front_most(
       p, fmax(b->r, fmax(radius_of(halo, own[0]), radius_of(halo, own[1]))));
-  pocket.most = (float)(most * (1 + 1e-7)); /* not rounded down */
+  pocket.most = (float)(most * p->per_unit * (1 + 1e-7)); /* not rounded down */
   if (!find_interval(b, &pocket.curve, own, id, c, most, &interval))
     return;
   pocket.lo = interval.lo;

@@ -14,7 +14,7 @@
 static double leaves(const packing_i_pockets *p, const packing_i_pocket *pocket,
                      const packing_i_stock *stock, double r)
 {
-  const double cap = p->cap * (double)pocket->most;
+  const double cap = p->cap * packing_i_pocket_most(p, pocket);
   double gap[3];
   for (int e = 0; e < 3; e++)
     gap[e] = (pocket->exit[e] < cap ? pocket->exit[e] : cap) - r;
@@ -26,7 +26,7 @@ double packing_i_pocket_score(const packing_i_pockets *p, packing_i_front_lane *
                               const packing_i_pocket *pocket, size_t *index)
 {
   const packing_i_stock *stock = packing_i_source_stock(lane->source, pocket->zone);
-  const double most = (double)pocket->most;
+  const double most = packing_i_pocket_most(p, pocket);
   const size_t fitting =
       packing_i_stock_below(stock, pocket->exit[0] < most ? pocket->exit[0] : most);
   if (fitting == 0 || stock->r[fitting - 1] < pocket->lo)

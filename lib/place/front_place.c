@@ -172,7 +172,7 @@ static int renew(packing_i_pockets *p, packing_i_front_lane *lane,
   packing_i_front_body j, k;
   packing_i_front_halo *halo = &lane->halo;
   packing_i_front_interval interval;
-  const double most = (double)pocket->most;
+  const double most = packing_i_pocket_most(p, pocket);
   if (pocket->tries++ >= PACKING_I_POCKET_TRIES ||
       !look(p, lane, tile, &owner, owner_r + 2 * most) ||
       !body_now(p, &owner, owner_r, &pocket->j, c, r, &j) ||

@@ -28,6 +28,10 @@ static void set_lengths(packing_i_pockets *p)
       p->most_r = fmin(p->most_r, 0.5 * packing_i_component(p->period, axis));
   for (size_t i = 0; i < store->count; i++)
     p->body_r = fmax(p->body_r, store->r[i]);
+  int exponent;
+  (void)frexp(p->max_r, &exponent);
+  p->unit = ldexp(1, exponent - 1);
+  p->per_unit = 1 / p->unit;
   p->equal = !(p->max_r > p->min_r);
   p->reference_r = p->equal ? p->max_r : 0.85 * p->mean_r;
   p->wide = p->max_r > PACKING_I_FRONT_RATIO * p->min_r;

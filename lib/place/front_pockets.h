@@ -42,16 +42,17 @@ static inline int packing_i_front_is_wall(uint32_t id)
 
 /* Three lines of cache; the first tells whether the others matter. */
 typedef struct packing_i_pocket {
-  float middle[3]; /* of a ball about all particles that count, from the owner's centre */
-  float extent;    /* its radius */
-  double key;      /* where in the order of growth */
-  uint32_t owner;  /* place of the sphere */
-  uint32_t j, k;   /* places, or walls */
-  uint32_t next;   /* of the owner */
-  uint32_t home;   /* tile in whose list it is */
+  float middle
+      [3]; /* of a ball about all particles that count, from the owner's centre, in units */
+  float extent;   /* its radius, in units */
+  double key;     /* where in the order of growth */
+  uint32_t owner; /* place of the sphere */
+  uint32_t j, k;  /* places, or walls */
+  uint32_t next;  /* of the owner */
+  uint32_t home;  /* tile in whose list it is */
   uint32_t home_next;
   uint32_t version;
-  float most; /* the largest radius that may fill it */
+  float most; /* the largest radius that may fill it, in units */
   uint16_t zone;
   int8_t side;
   uint8_t alive;
@@ -148,6 +149,7 @@ typedef struct packing_i_pockets {
 
   /* lengths */
   double min_r, max_r, mean_r, reference_r;
+  double unit, per_unit; /* a power of two near max_r: single precision counts in it */
   double cap;    /* exits count up to this times the largest radius of the pocket [1] */
   double body_r; /* largest radius there is or may be */
   double most_r; /* half the shortest period: larger ones meet themselves */
@@ -198,6 +200,13 @@ static inline packing_i_pocket *packing_i_pocket_at(const packing_i_pockets *p,
 static inline double packing_i_front_most(const packing_i_pockets *p, double r)
 {
   return PACKING_I_FRONT_RATIO * r < p->max_r ? PACKING_I_FRONT_RATIO * r : p->max_r;
+}
+
+/* The largest radius that may fill a pocket. */
+static inline double packing_i_pocket_most(const packing_i_pockets *p,
+                                           const packing_i_pocket *pocket)
+{
+  return (double)pocket->most * p->unit;
 }
 
 /* ---- front_lane.c: memory of the lanes ---- */

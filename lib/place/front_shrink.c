@@ -21,7 +21,7 @@ void packing_i_pocket_kill(packing_i_pockets *p, uint32_t id)
 void packing_i_pocket_measure(const packing_i_pockets *p, packing_i_pocket *pocket)
 {
   const double exit = pocket->exit[p->exits - 1];
-  const double cap = p->cap * (double)pocket->most;
+  const double cap = p->cap * packing_i_pocket_most(p, pocket);
   const double far = exit < cap ? exit : cap;
   packing_vec3 a, b;
   if (!packing_i_front_curve_at(&pocket->curve, pocket->lo, &a) ||
@@ -31,10 +31,10 @@ void packing_i_pocket_measure(const packing_i_pockets *p, packing_i_pocket *pock
     return;
   }
   const packing_vec3 half = packing_i_scale(packing_i_sub(b, a), 0.5);
-  pocket->middle[0] = (float)(a.x + half.x);
-  pocket->middle[1] = (float)(a.y + half.y);
-  pocket->middle[2] = (float)(a.z + half.z);
-  pocket->extent = (float)((far + packing_i_norm(half)) * 1.01);
+  pocket->middle[0] = (float)((a.x + half.x) * p->per_unit);
+  pocket->middle[1] = (float)((a.y + half.y) * p->per_unit);
+  pocket->middle[2] = (float)((a.z + half.z) * p->per_unit);
+  pocket->extent = (float)((far + packing_i_norm(half)) * 1.01 * p->per_unit);
 }
 
 /* Column n of the curves: a pocket, and the new sphere as a body about its owner. */
@@ -132,10 +132,10 @@ void packing_i_pockets_shrink(packing_i_pockets *p, packing_i_front_lane *lane, 
     for (uint32_t id = bin->pockets[k]; id != 0; id = packing_i_pocket_at(p, id)->next) {
       const packing_i_pocket *pocket = packing_i_pocket_at(p, id);
       __builtin_prefetch(packing_i_pocket_at(p, pocket->next));
-      const double x = from.x - (double)pocket->middle[0],
-                   y = from.y - (double)pocket->middle[1],
-                   z = from.z - (double)pocket->middle[2],
-                   near = (double)pocket->extent + r;
+      const double x = from.x * p->per_unit - (double)pocket->middle[0],
+                   y = from.y * p->per_unit - (double)pocket->middle[1],
+                   z = from.z * p->per_unit - (double)pocket->middle[2],
+                   near = (double)pocket->extent + r * p->per_unit;
       if (x * x + y * y + z * z >= near * near)
         continue;
       load(lane, n++, packing_i_pocket_at(p, id), &body, id);
