@@ -86,7 +86,6 @@ static void one_hash_for_all(void **state)
 {
   (void)state;
   static double x[COUNT], y[COUNT], z[COUNT], r[COUNT];
-  const int threads[] = {1, 2, 3, 4, 8};
   packing_rng *rng = NULL;
   packing_psd *psd = test_uniform(0.1, 1);
   packing_view v;
@@ -104,16 +103,13 @@ static void one_hash_for_all(void **state)
     const uint64_t reports = hash_reports(NULL, box, psd, &v);
     const uint64_t pairs = hash_pairs(NULL, box, &v);
     const uint64_t contacts = hash_contacts(NULL, box, &v);
-    for (int isa = PACKING_ISA_BASELINE; isa < PACKING_ISA_END; isa++)
-      for (size_t t = 0; t < sizeof threads / sizeof threads[0]; t++) {
-        if (!packing_isa_available((packing_isa)isa))
-          continue;
-        packing_context *context = test_context(threads[t], (packing_isa)isa);
-        assert_true(hash_reports(context, box, psd, &v) == reports);
-        assert_true(hash_pairs(context, box, &v) == pairs);
-        assert_true(hash_contacts(context, box, &v) == contacts);
-        packing_context_destroy(context);
-      }
+    for (size_t t = 0; t < TEST_TEAMS; t++) {
+      packing_context *context = test_team(t);
+      assert_true(hash_reports(context, box, psd, &v) == reports);
+      assert_true(hash_pairs(context, box, &v) == pairs);
+      assert_true(hash_contacts(context, box, &v) == contacts);
+      packing_context_destroy(context);
+    }
     packing_domain_destroy(box);
   }
   packing_psd_destroy(psd);

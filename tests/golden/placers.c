@@ -101,16 +101,13 @@ static packing_context *backwards_context(void)
 static void check(scene make, packing_domain *domain, packing_psd *psd, uint64_t golden)
 {
   const uint64_t hash = run(NULL, make, domain, psd, 1);
-  static const int threads[] = {1, 2, 3, 4, 8};
-  for (size_t t = 0; t < sizeof threads / sizeof *threads; t++)
-    for (int isa = PACKING_ISA_BASELINE; isa < PACKING_ISA_END; isa++) {
-      if (!packing_isa_available((packing_isa)isa))
-        continue;
-      packing_context *context = test_context(threads[t], (packing_isa)isa);
-      assert_true(run(context, make, domain, psd, 1 + 6 * t) == hash);
-      packing_context_destroy(context);
-    }
-  packing_context *context = backwards_context();
+  packing_context *context;
+  for (size_t t = 0; t < TEST_TEAMS; t++) {
+    context = test_team(t);
+    assert_true(run(context, make, domain, psd, 1 + 6 * t) == hash);
+    packing_context_destroy(context);
+  }
+  context = backwards_context();
   assert_true(run(context, make, domain, psd, 1000) == hash);
   packing_context_destroy(context);
   if (hash != golden)

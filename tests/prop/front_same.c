@@ -171,7 +171,7 @@ static packing_particles *scaled(scene room, double scale, packing_front_def def
 
 static void same_when_scaled(scene room, packing_front_def def, double min_r)
 {
-  static const int powers[] = {-140, -41, 13, 140};
+  static const int powers[] = {-140, 140};
   packing_particles *plain = scaled(room, 1, def, min_r);
   packing_view a, b;
   packing_particles_view(plain, &a);

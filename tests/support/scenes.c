@@ -13,6 +13,21 @@ packing_context *test_context(int threads, packing_isa isa)
   return context;
 }
 
+packing_context *test_team(size_t team)
+{
+  static const struct {
+    int threads;
+    packing_isa isa;
+  } teams[TEST_TEAMS] = {{2, PACKING_ISA_BASELINE}, {2, PACKING_ISA_AVX2},
+                         {2, PACKING_ISA_AVX512},   {1, PACKING_ISA_AVX512},
+                         {3, PACKING_ISA_AVX2},     {4, PACKING_ISA_AVX512},
+                         {8, PACKING_ISA_BASELINE}};
+  packing_isa isa = teams[team].isa;
+  while (!packing_isa_available(isa))
+    isa = (packing_isa)((int)isa - 1);
+  return test_context(teams[team].threads, isa);
+}
+
 uint64_t test_hash(uint64_t hash, const void *data, size_t size)
 {
   const unsigned char *bytes = data;

@@ -44,6 +44,11 @@ void test_names(packing_context *context, const char *field, const char *what,
 /* A context of `threads` threads and an instruction set. */
 packing_context *test_context(int threads, packing_isa isa);
 
+/* Workers that must all make the same: 1, 2, 3, 4 and 8 threads, and with 2 every instruction set;
+ * for a set that the machine lacks comes the next it has. */
+enum { TEST_TEAMS = 7 };
+packing_context *test_team(size_t team);
+
 /* An allocator that counts, and fails from the k-th request on (once) when asked. */
 typedef struct test_allocator {
   size_t live;     /* blocks held */
