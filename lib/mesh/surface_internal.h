@@ -20,6 +20,13 @@ typedef struct packing_i_depth {
   float *value; /* in edges of a cell */
 } packing_i_depth;
 
+/* About a child of a node of the tree, in units of the mesh's: a ball around its box, and a cone
+ * that holds the normals of its triangles and of those that touch them (cones.c). */
+typedef struct packing_i_cone {
+  float middle[3], radius;
+  float axis[3], sine; /* of half its angle; above 1: there is none */
+} packing_i_cone;
+
 typedef struct packing_i_surface {
   packing_allocator allocator;
   packing_mesh *mesh;
@@ -33,6 +40,7 @@ typedef struct packing_i_surface {
   uint32_t *around; /* half edges that leave each vertex, one vertex after the other */
   uint32_t *around_first; /* of each vertex, and where the last one ends */
   uint32_t *patch; /* of each triangle: the lowest one of those in one plane with it */
+  packing_i_cone *cone; /* two a node, as its children */
   packing_i_depth depth;
 } packing_i_surface;
 
@@ -97,6 +105,10 @@ static inline size_t packing_i_surface_walls(const packing_i_surface *surface)
 int packing_i_surface_near(const packing_i_surface *surface, const packing_vec3 *point,
                            double reach,
                            packing_i_near_feature near[PACKING_I_NEAR_FEATURES]);
+
+/* The cones (cones.c). */
+packing_status packing_i_cones_create(packing_context *context,
+                                      packing_i_surface *surface);
 
 /* The grid (depth.c). */
 packing_status packing_i_depth_create(packing_context *context,
