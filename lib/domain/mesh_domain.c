@@ -39,6 +39,11 @@ static double side(const packing_i_domain_body *body, const packing_vec3 *point,
   const double depth = packing_i_surface_depth(m->surface, point);
   if (normal == NULL && (depth < 0 || depth > m->inset))
     return depth - m->inset;
+  if (normal == NULL && m->inset > 0) { /* too near the surface, on whichever side */
+    const double most = packing_i_surface_most_depth(m->surface, point);
+    if (most < m->inset)
+      return most - m->inset;
+  }
   return signed_distance(body, point, normal);
 }
 

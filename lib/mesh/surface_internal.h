@@ -12,12 +12,17 @@ typedef struct packing_i_facet {
   double normal[3];
 } packing_i_facet;
 
-/* A coarse grid of what is known of the distance: how far each cell's middle is from the surface
- * at least, negative outside. */
+/* How far a cell's middle is from the surface at least, negative outside, and at most; in edges of
+ * a cell. */
+typedef struct packing_i_depth_cell {
+  float least, most;
+} packing_i_depth_cell;
+
+/* A coarse grid of what is known of the distance. */
 typedef struct packing_i_depth {
   double lo[3], edge;
   size_t cells[3];
-  float *value; /* in edges of a cell */
+  packing_i_depth_cell *value;
 } packing_i_depth;
 
 /* About a child of a node of the tree, in units of the mesh's: a ball around its box, and a cone
@@ -118,6 +123,10 @@ packing_status packing_i_depth_create(packing_context *context,
  * much outside; 0: unknown. Constant time. */
 double packing_i_surface_depth(const packing_i_surface *surface,
                                const packing_vec3 *point);
+
+/* No less than the distance from the surface. Constant time. */
+double packing_i_surface_most_depth(const packing_i_surface *surface,
+                                    const packing_vec3 *point);
 
 /* The part of a ball inside, and a bound of its error (ball.c). */
 double packing_i_surface_ball(const packing_i_surface *surface,
