@@ -17,8 +17,9 @@ static double signed_distance(const packing_i_domain_body *body,
                               const packing_vec3 *point, packing_vec3 *normal)
 {
   const packing_i_meshed *m = &body->as.mesh;
+  const double most = packing_i_surface_most_depth(m->surface, point);
   const packing_i_nearest nearest =
-      packing_i_surface_nearest(m->surface, point, HUGE_VAL, 0);
+      packing_i_surface_nearest(m->surface, point, most * most, 0);
   if (nearest.facet == PACKING_I_MESH_NONE) { /* out of range */
     if (normal != NULL)
       *normal = packing_i_vec(0, 0, 0);
@@ -39,6 +40,11 @@ static double side(const packing_i_domain_body *body, const packing_vec3 *point,
   const double depth = packing_i_surface_depth(m->surface, point);
   if (normal == NULL && (depth < 0 || depth > m->inset))
     return depth - m->inset;
+  if (normal == NULL && m->inset > 0) { /* too near the surface, on whichever side */
+    const double most = packing_i_surface_most_depth(m->surface, point);
+    if (most < m->inset)
+      return most - m->inset;
+  }
   return signed_distance(body, point, normal);
 }
 

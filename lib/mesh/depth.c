@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A grid of lower bounds of the distance from the surface, so that questions about points deep
- * inside or far outside need no tree. A block of 8^3 cells is asked once in its middle; where the
+/* A grid of bounds of the distance from the surface, so that questions about points deep inside or
+ * far outside need no tree. A block of 8^3 cells is asked once in its middle; where the
  * surface is half as far again as the block's corners all its cells follow from that, since distances
  * change no faster than points move; else its eight parts are asked in turn. Bounds are single
- * precision, rounded towards 0 by more than that costs. Memory 4 bytes a cell, at most 2^20 cells;
+ * precision, rounded apart by more than that costs. Memory 8 bytes a cell, at most 2^20 cells;
  * time: the cells near the surface. */
 #include "mesh/surface_internal.h"
 
@@ -80,8 +80,9 @@ static void set_cells(const job *j, const part *p, packing_vec3 middle, double d
         const double off = packing_i_norm(packing_i_sub(middle_of(d, at, next), middle));
         const double bound = (fabs(distance) - off) / d->edge * LESS;
         const float least = bound > 0 ? (float)bound : 0;
-        d->value[(at[2] * d->cells[1] + at[1]) * d->cells[0] + at[0]] =
-            distance < 0 ? -least : least;
+        const size_t cell = (at[2] * d->cells[1] + at[1]) * d->cells[0] + at[0];
+        d->value[cell].least = distance < 0 ? -least : least;
+        d->value[cell].most = (float)((fabs(distance) + off) / d->edge / LESS);
       }
 }
 
@@ -153,20 +154,38 @@ packing_status packing_i_depth_create(packing_context *context,
   return PACKING_OK;
 }
 
-double packing_i_surface_depth(const packing_i_surface *surface,
-                               const packing_vec3 *point)
+/* The cell of a point; NULL: none. */
+static const packing_i_depth_cell *cell_of(const packing_i_depth *d,
+                                           const packing_vec3 *point)
 {
-  const packing_i_depth *d = &surface->depth;
   const double p[3] = {point->x, point->y, point->z};
   size_t at[3];
   for (int k = 0; k < 3; k++) {
     const double x = (p[k] - d->lo[k]) / d->edge;
     if (!(x >= 0 && x < (double)d->cells[k]))
-      return 0;
+      return NULL;
     at[k] = (size_t)x;
   }
-  const double value =
-      (double)d->value[(at[2] * d->cells[1] + at[1]) * d->cells[0] + at[0]];
+  return &d->value[(at[2] * d->cells[1] + at[1]) * d->cells[0] + at[0]];
+}
+
+double packing_i_surface_depth(const packing_i_surface *surface,
+                               const packing_vec3 *point)
+{
+  const packing_i_depth *d = &surface->depth;
+  const packing_i_depth_cell *cell = cell_of(d, point);
+  if (cell == NULL)
+    return 0;
+  const double value = (double)cell->least;
   const double left = fabs(value) - HALF_DIAGONAL * (1 + 1e-6);
   return left <= 0 ? 0 : (value < 0 ? -left : left) * d->edge;
+}
+
+double packing_i_surface_most_depth(const packing_i_surface *surface,
+                                    const packing_vec3 *point)
+{
+  const packing_i_depth *d = &surface->depth;
+  const packing_i_depth_cell *cell = cell_of(d, point);
+  return cell == NULL ? HUGE_VAL
+                      : ((double)cell->most + HALF_DIAGONAL * (1 + 1e-6)) * d->edge;
 }

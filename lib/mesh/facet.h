@@ -74,6 +74,23 @@ static inline packing_i_nearest packing_i_facet_nearest(const packing_i_facet *f
   return best;
 }
 
+/* Whether no point of a child of the tree can be where the distance from `point` (in units of the
+ * mesh's) has a local minimum: no way there is along a normal of its cone. A ball's ways are within
+ * asin(radius / distance) of that to its middle. `inside`: the point is known to be; else ways
+ * against the normals count, too. */
+static inline int packing_i_cone_faces_away(const packing_i_cone *c,
+                                            const double point[3], int inside)
+{
+  const double x = (double)c->middle[0] - point[0], y = (double)c->middle[1] - point[1],
+               z = (double)c->middle[2] - point[2];
+  const double radius = (double)c->radius, sine = (double)c->sine;
+  const double beyond = x * x + y * y + z * z - radius * radius;
+  const double along =
+      x * (double)c->axis[0] + y * (double)c->axis[1] + z * (double)c->axis[2];
+  const double most = (inside ? along : fabs(along)) + sine * radius;
+  return beyond > 0 && (most < 0 || most * most < (1 - sine * sine) * beyond);
+}
+
 /* The squared distance of a point from a box of the tree. */
 static inline double packing_i_node_square(const packing_i_mesh_node *node, int side,
                                            const double p[3])

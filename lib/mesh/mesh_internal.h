@@ -54,6 +54,7 @@ struct packing_mesh {
   double unit; /* a power of two: coordinates times this are at most 1/4 */
   double pad;  /* boxes of the tree are larger than their triangles by this */
   packing_i_mesh_node *node;
+  size_t nodes;
   uint32_t root;   /* as packing_i_mesh_node.child */
   uint32_t *order; /* triangles as the leaves have them */
 };

@@ -16,6 +16,7 @@ typedef struct list {
 typedef struct job {
   const packing_i_surface *surface;
   packing_vec3 point;
+  int inside;    /* the point is known to be */
   double limit;  /* square */
   list found[2]; /* seen from outside, from inside */
   packing_i_nearest nearest;
@@ -152,7 +153,8 @@ static void try_leaf(job *j, uint32_t child)
 static void search(job *j)
 {
   uint32_t stack[PACKING_I_MESH_DEPTH];
-  const double p[3] = {j->point.x, j->point.y, j->point.z};
+  const double p[3] = {j->point.x, j->point.y, j->point.z}, unit = j->surface->mesh->unit;
+  const double q[3] = {unit * p[0], unit * p[1], unit * p[2]};
   int top = 0;
   stack[top++] = j->surface->mesh->root;
   while (top > 0) {
@@ -165,9 +167,10 @@ static void search(job *j)
     const double d[2] = {packing_i_node_square(node, 0, p),
                          packing_i_node_square(node, 1, p)};
     const int near = d[1] < d[0];
-    if (d[!near] <= j->limit)
+    const packing_i_cone *cone = &j->surface->cone[2 * (size_t)child];
+    if (d[!near] <= j->limit && !packing_i_cone_faces_away(&cone[!near], q, j->inside))
       stack[top++] = node->child[!near];
-    if (d[near] <= j->limit)
+    if (d[near] <= j->limit && !packing_i_cone_faces_away(&cone[near], q, j->inside))
       stack[top++] = node->child[near];
   }
 }
@@ -193,6 +196,7 @@ int packing_i_surface_near(const packing_i_surface *surface, const packing_vec3 
   const double depth = packing_i_surface_depth(surface, point);
   if (depth > 0 && depth >= reach)
     return 0;
+  j.inside = depth > 0;
   j.limit = reach > 0 ? reach * reach : 0;
   search(&j);
   if (j.nearest.facet == PACKING_I_MESH_NONE) {

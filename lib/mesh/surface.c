@@ -134,6 +134,7 @@ void packing_i_surface_destroy(packing_i_surface *surface)
   packing_i_free(&allocator, surface->around);
   packing_i_free(&allocator, surface->around_first);
   packing_i_free(&allocator, surface->patch);
+  packing_i_free(&allocator, surface->cone);
   packing_i_free(&allocator, surface->depth.value);
   packing_mesh_destroy(surface->mesh);
   packing_i_free(&allocator, surface);
@@ -170,6 +171,7 @@ static packing_status fill(packing_context *context, packing_i_surface *s)
   set_vertex_normals(s);
   set_around(s);
   set_patches(s);
+  PACKING_I_TRY(packing_i_cones_create(context, s));
   return packing_i_depth_create(context, s);
 }
 

@@ -12,13 +12,25 @@ typedef struct packing_i_facet {
   double normal[3];
 } packing_i_facet;
 
-/* A coarse grid of what is known of the distance: how far each cell's middle is from the surface
- * at least, negative outside. */
+/* How far a cell's middle is from the surface at least, negative outside, and at most; in edges of
+ * a cell. */
+typedef struct packing_i_depth_cell {
+  float least, most;
+} packing_i_depth_cell;
+
+/* A coarse grid of what is known of the distance. */
 typedef struct packing_i_depth {
   double lo[3], edge;
   size_t cells[3];
-  float *value; /* in edges of a cell */
+  packing_i_depth_cell *value;
 } packing_i_depth;
+
+/* About a child of a node of the tree, in units of the mesh's: a ball around its box, and a cone
+ * that holds the normals of its triangles and of those that touch them (cones.c). */
+typedef struct packing_i_cone {
+  float middle[3], radius;
+  float axis[3], sine; /* of half its angle; above 1: there is none */
+} packing_i_cone;
 
 typedef struct packing_i_surface {
   packing_allocator allocator;
@@ -33,6 +45,7 @@ typedef struct packing_i_surface {
   uint32_t *around; /* half edges that leave each vertex, one vertex after the other */
   uint32_t *around_first; /* of each vertex, and where the last one ends */
   uint32_t *patch; /* of each triangle: the lowest one of those in one plane with it */
+  packing_i_cone *cone; /* two a node, as its children */
   packing_i_depth depth;
 } packing_i_surface;
 
@@ -98,6 +111,10 @@ int packing_i_surface_near(const packing_i_surface *surface, const packing_vec3 
                            double reach,
                            packing_i_near_feature near[PACKING_I_NEAR_FEATURES]);
 
+/* The cones (cones.c). */
+packing_status packing_i_cones_create(packing_context *context,
+                                      packing_i_surface *surface);
+
 /* The grid (depth.c). */
 packing_status packing_i_depth_create(packing_context *context,
                                       packing_i_surface *surface);
@@ -106,6 +123,10 @@ packing_status packing_i_depth_create(packing_context *context,
  * much outside; 0: unknown. Constant time. */
 double packing_i_surface_depth(const packing_i_surface *surface,
                                const packing_vec3 *point);
+
+/* No less than the distance from the surface. Constant time. */
+double packing_i_surface_most_depth(const packing_i_surface *surface,
+                                    const packing_vec3 *point);
 
 /* The part of a ball inside, and a bound of its error (ball.c). */
 double packing_i_surface_ball(const packing_i_surface *surface,

@@ -209,6 +209,7 @@ packing_status packing_i_mesh_grow_tree(packing_context *context, packing_mesh *
     w.of[t] = box_of_triangle(mesh, t);
   }
   grow(&w);
+  mesh->nodes = w.nodes;
   packing_i_free(allocator, w.of);
   return PACKING_OK;
 }

@@ -4,6 +4,7 @@
 #include "mesh_scenes.h"
 #include "domain/domain_internal.h"
 #include "mesh/mesh_internal.h"
+#include "mesh/surface_internal.h"
 
 enum { POINTS = 400 };
 
@@ -76,6 +77,30 @@ static void test_holds(void **state)
         if (packing_i_domain_clear(domain, &p, r[k]))
           assert_true(d >= r[k]);
       }
+    }
+    packing_domain_destroy(domain);
+    free(s);
+  }
+}
+
+/* The grid's bounds hold everywhere, and tell the distance to some cells' width. */
+static void test_depths(void **state)
+{
+  (void)state;
+  for (int kind = 0; kind < SHAPE_END; kind++) {
+    uint64_t random = 19 + (uint64_t)kind;
+    shape *s = shape_of(kind);
+    packing_domain *domain = shape_domain(s, 1);
+    const packing_i_surface *surface = domain->body.as.mesh.surface;
+    for (int i = 0; i < POINTS; i++) {
+      const packing_vec3 p = any_point(&random, s, domain, i);
+      const double d = shape_distance(s, p);
+      const double least = packing_i_surface_depth(surface, &p);
+      const double most = packing_i_surface_most_depth(surface, &p);
+      assert_true(most >= fabs(d));
+      assert_true(least == 0 || (least > 0 ? d >= least : d <= least));
+      if (isfinite(most))
+        assert_true(most <= fabs(d) + 16 * surface->depth.edge);
     }
     packing_domain_destroy(domain);
     free(s);
@@ -513,6 +538,7 @@ int main(void)
       cmocka_unit_test(test_distances),
       cmocka_unit_test(test_signs_at_features),
       cmocka_unit_test(test_holds),
+      cmocka_unit_test(test_depths),
       cmocka_unit_test(test_clear_deep_inside),
       cmocka_unit_test(test_near_walls),
       cmocka_unit_test(test_points_out_of_range),

@@ -179,6 +179,38 @@ static void test_containers(void **state)
   packing_mesh_destroy(mesh);
 }
 
+/* About the radius of the largest ball within: what is left is told, or why not; never more than
+ * there is. The inset of a tetrahedron is one, smaller by the distance over that radius. */
+static void test_little_is_left(void **state)
+{
+  (void)state;
+  static const double share[] = {0.9,      0.99, 0.9999, 1 - 1e-9, 1,
+                                 1 + 1e-9, 1.01, 2,      1e300};
+  shape *s = shape_of(SHAPE_TETRAHEDRON);
+  packing_domain *domain = shape_domain(s, 1);
+  packing_mesh *mesh = shape_mesh(s);
+  const double volume = packing_domain_volume(domain);
+  const double radius = 3 * volume / packing_mesh_area(mesh);
+  for (size_t i = 0; i < sizeof share / sizeof *share; i++) {
+    packing_domain *inset = NULL;
+    const packing_status status =
+        packing_domain_create_inset(context, domain, radius * share[i], &inset);
+    if (status == PACKING_OK) {
+      const double left = volume * pow(1 - share[i], 3);
+      assert_true(share[i] < 1);
+      assert_near(packing_domain_volume(inset), left, 2e-2 * left);
+    } else {
+      assert_true(status == PACKING_ERR_GEOMETRY || status == PACKING_ERR_RANGE);
+      test_names(context, "distance", "inset", __FILE__, __LINE__);
+      assert_null(inset);
+    }
+    packing_domain_destroy(inset);
+  }
+  packing_mesh_destroy(mesh);
+  packing_domain_destroy(domain);
+  free(s);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -187,6 +219,7 @@ int main(void)
       cmocka_unit_test_setup_teardown(test_extremes, set_up, tear_down),
       cmocka_unit_test_setup_teardown(test_questions, set_up, tear_down),
       cmocka_unit_test_setup_teardown(test_containers, set_up, tear_down),
+      cmocka_unit_test_setup_teardown(test_little_is_left, set_up, tear_down),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
