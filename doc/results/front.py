@@ -86,6 +86,8 @@ def write(maker, bodies, arguments):
         pieces += [f"## {title}\n", body]
         if name in notes:
             pieces.append(notes[name] + "\n")
+    if "fuzzing" in notes:
+        pieces += ["## Fuzzing\n", notes["fuzzing"] + "\n"]
     out.write_text("\n".join(pieces), encoding="utf-8")
     print(out)
 
