@@ -29,8 +29,7 @@ packing_i_nearest packing_i_surface_nearest(const packing_i_surface *surface,
 {
   waiting stack[PACKING_I_MESH_DEPTH];
   packing_i_nearest best = {limit, {0, 0, 0}, PACKING_I_MESH_NONE, 0};
-  const double p[3] = {point->x, point->y, point->z}, unit = surface->mesh->unit;
-  const double q[3] = {unit * p[0], unit * p[1], unit * p[2]};
+  const double p[3] = {point->x, point->y, point->z};
   int top = 0;
   uint32_t child = surface->mesh->root;
   for (;;) {
@@ -43,10 +42,9 @@ packing_i_nearest packing_i_surface_nearest(const packing_i_surface *surface,
       const double d[2] = {packing_i_node_square(node, 0, p),
                            packing_i_node_square(node, 1, p)};
       const int near = d[1] < d[0];
-      const packing_i_cone *cone = &surface->cone[2 * (size_t)child];
-      if (d[!near] <= best.square && !packing_i_cone_faces_away(&cone[!near], q, 0))
+      if (d[!near] <= best.square)
         stack[top++] = (waiting){d[!near], node->child[!near]};
-      if (d[near] <= best.square && !packing_i_cone_faces_away(&cone[near], q, 0)) {
+      if (d[near] <= best.square) {
         child = node->child[near];
         continue;
       }

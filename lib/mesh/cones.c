@@ -3,7 +3,7 @@
  * has a local minimum over the surface, the way there lies in the cone spanned by the normals of the
  * faces that meet there (else some direction would lead along the surface to nearer points). A box of
  * the tree none of whose ways from the point are within the cone of its triangles' normals, and of
- * those around their corners, holds no minimum, so neither the nearest point (D. E. Johnson, E.
+ * those around their corners, holds no minimum (D. E. Johnson, E.
  * Cohen, IEEE ICRA 2001, 2453, for pairs of surfaces). Cones are wider than need be by at least
  * 1e-5 rad and balls about boxes larger by 2^-20 of the largest coordinate: single precision and the
  * roundings of distances never decide. N log N; 64 bytes a node. */
