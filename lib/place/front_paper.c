@@ -214,16 +214,13 @@ static void select(packing_placer *placer)
     memset(paper->seen, 0, paper->zones);
 }
 
-/* The neighbours V of P_i: nearer than 2 r, surface to surface. */
-static packing_status gather(packing_placer *placer)
+/* What is nearer to P_i than `gap`, surface to surface. */
+static packing_status find_near(packing_placer *placer, double gap)
 {
   packing_i_paper *paper = placer->method;
   packing_i_paper_scan *scan = &paper->scan;
-  scan->r = paper->pending[scan->zone].r;
-  scan->unit = scan->r_i + scan->r;
-  PACKING_I_TRY(packing_i_paper_reserve(placer, 1, scan->r));
-  PACKING_I_TRY(packing_i_index_near(&paper->index, scan->centre, scan->r_i + 2 * scan->r,
-                                     &scan->near));
+  PACKING_I_TRY(
+      packing_i_index_near(&paper->index, scan->centre, scan->r_i + gap, &scan->near));
   size_t kept = 0;
   for (size_t l = 0; l < scan->near.count; l++) {
     const packing_i_index_image *image = &scan->near.at[l];
@@ -233,13 +230,43 @@ static packing_status gather(packing_placer *placer)
       scan->near.at[kept++] = *image;
   }
   scan->near.count = kept;
-  scan->next_outer = 0;
-  scan->picked = scan->picked_inner = 0;
   paper->work += 16 * (kept + 8);
-  if (paper->closed_form && paper->phase == PACKING_I_PAPER_INSIDE)
-    PACKING_I_TRY(packing_i_paper_rings_begin(placer));
-  else
-    PACKING_I_TRY(packing_i_paper_pairs_begin(placer));
+  return PACKING_OK;
+}
+
+/* Whether those next to P_i leave no place for a much larger particle, which is so nearly always
+ * when it would have thousands of neighbours. */
+static packing_status is_closed(packing_placer *placer, int *closed)
+{
+  packing_i_paper *paper = placer->method;
+  packing_i_paper_scan *scan = &paper->scan;
+  *closed = 0;
+  if (!paper->closed_form || paper->phase != PACKING_I_PAPER_INSIDE ||
+      scan->r <= 2 * scan->r_i)
+    return PACKING_OK;
+  PACKING_I_TRY(find_near(placer, scan->r_i));
+  return packing_i_paper_rings_closed(placer, closed);
+}
+
+/* The neighbours V of P_i: nearer than 2 r, surface to surface. */
+static packing_status gather(packing_placer *placer)
+{
+  packing_i_paper *paper = placer->method;
+  packing_i_paper_scan *scan = &paper->scan;
+  scan->r = paper->pending[scan->zone].r;
+  scan->unit = scan->r_i + scan->r;
+  scan->next_outer = scan->outers = 0;
+  scan->picked = scan->picked_inner = 0;
+  PACKING_I_TRY(packing_i_paper_reserve(placer, 1, scan->r));
+  int closed;
+  PACKING_I_TRY(is_closed(placer, &closed));
+  if (!closed) {
+    PACKING_I_TRY(find_near(placer, 2 * scan->r));
+    if (paper->closed_form && paper->phase == PACKING_I_PAPER_INSIDE)
+      PACKING_I_TRY(packing_i_paper_rings_begin(placer));
+    else
+      PACKING_I_TRY(packing_i_paper_pairs_begin(placer));
+  }
   scan->gathered = 1;
   return PACKING_OK;
 }

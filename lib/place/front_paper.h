@@ -175,6 +175,9 @@ void packing_i_paper_order(packing_i_paper *paper, uint32_t *order, size_t count
 void packing_i_paper_pick(packing_i_paper *paper, uint32_t *order, size_t at,
                           size_t count);
 
+/* Whether the neighbours gathered, not all there are, leave no place beside P_i already. */
+packing_status packing_i_paper_rings_closed(packing_placer *placer, int *closed);
+
 /* Steps 2.2 and 2.2.1 for spheres, in closed form. */
 packing_status packing_i_paper_rings_begin(packing_placer *placer);
 packing_status packing_i_paper_rings(packing_placer *placer,
