@@ -129,8 +129,7 @@ packing_body packing_i_paper_body(const packing_placer *placer, size_t particle,
   return body;
 }
 
-/* How far below an open top a point lies; infinity: there is none. */
-static double below_top(const packing_domain *domain, packing_vec3 p)
+double packing_i_paper_below_top(const packing_domain *domain, packing_vec3 p)
 {
   const int axis = domain->body.open_axis;
   if (axis < 0)
@@ -144,7 +143,7 @@ int packing_i_paper_inside(const packing_placer *placer, const packing_body *mob
   const packing_i_paper *paper = placer->method;
   const double slack = packing_i_paper_slack(paper, mobile->r, mobile->r);
   if (!packing_i_vec_finite(mobile->centre) ||
-      below_top(placer->domain, mobile->centre) < mobile->r - slack)
+      packing_i_paper_below_top(placer->domain, mobile->centre) < mobile->r - slack)
     return 0;
   if (mobile->shape == NULL) {
     if (!packing_domain_holds(placer->domain, &mobile->centre, mobile->r - slack))
@@ -206,7 +205,7 @@ static void select(packing_placer *placer)
   packing_domain_wrap(placer->domain, &scan->centre);
   scan->r_i = store->r[scan->i];
   scan->room = fmin(packing_domain_signed_distance(placer->domain, &scan->centre, NULL),
-                    below_top(placer->domain, scan->centre));
+                    packing_i_paper_below_top(placer->domain, scan->centre));
   scan->zone = packing_i_source_zone(paper->front.source, &scan->centre);
   scan->selected = 1;
   scan->gathered = 0;
@@ -328,6 +327,17 @@ static packing_status begin_inside(packing_placer *placer)
   return PACKING_OK;
 }
 
+/* As an inward front, with all that stands. */
+static packing_status begin_walls(packing_placer *placer)
+{
+  packing_i_paper *paper = placer->method;
+  PACKING_I_TRY(begin_inside(placer));
+  paper->phase = PACKING_I_PAPER_WALLS;
+  paper->again = PACKING_I_PAPER_AGAIN_NEVER;
+  packing_i_paper_walk_begin(placer);
+  return PACKING_OK;
+}
+
 /* Step 1. */
 static packing_status start(packing_placer *placer)
 {
@@ -338,12 +348,17 @@ static packing_status start(packing_placer *placer)
     if (placer->tally.state != PACKING_PLACER_RUNNING)
       return PACKING_OK;
   }
-  PACKING_I_TRY(begin_inside(placer));
-  if (!started) {
-    paper->phase = PACKING_I_PAPER_WALLS;
-    packing_i_paper_walk_begin(placer);
-  }
-  return PACKING_OK;
+  return started ? begin_inside(placer) : begin_walls(placer);
+}
+
+/* The front of the inside has run out. */
+static packing_status look(packing_placer *placer)
+{
+  packing_i_paper_search search;
+  PACKING_I_TRY(packing_i_paper_look(placer, &search));
+  if (search == PACKING_I_PAPER_FULL)
+    finish(placer, PACKING_PLACER_SATURATED);
+  return search == PACKING_I_PAPER_AT_WALLS ? begin_walls(placer) : PACKING_OK;
 }
 
 static packing_status advance(packing_placer *placer)
@@ -358,10 +373,8 @@ static packing_status advance(packing_placer *placer)
     select(placer);
     return PACKING_OK;
   }
-  if (paper->phase == PACKING_I_PAPER_INSIDE) {
-    finish(placer, PACKING_PLACER_SATURATED);
-    return PACKING_OK;
-  }
+  if (paper->phase == PACKING_I_PAPER_INSIDE)
+    return look(placer);
   int over = 0;
   PACKING_I_TRY(packing_i_paper_walk_on(placer, &over));
   return over && placer->tally.state == PACKING_PLACER_RUNNING ? begin_inside(placer)
