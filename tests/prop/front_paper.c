@@ -94,7 +94,7 @@ static void every_pack_is_one(void **state)
     for (int select = 0; select < 9; select++)
       for (int mono = 0; mono < 2; mono++) {
         const setting set = {room, select, (room + select) % 2, mono, "wrappers"};
-        packing_particles *store = run(&set, 1, (uint64_t)(100 + select));
+        packing_particles *store = run(&set, 1, 100 + (uint64_t)select);
         assert_true(packing_particles_count(store) > 4);
         packing_particles_destroy(store);
       }
@@ -147,7 +147,7 @@ static packing_particles *run_body(int kind, int direction, double scale)
   packing_particles *store = test_store(packing_domain_dim(domain));
   packing_front_def def = front_paper();
   def.direction = (packing_front_direction)direction;
-  def.seed = (uint64_t)kind + 3;
+  def.seed = 3 + (uint64_t)kind;
   front_pack(&def, domain, psd, store);
   packing_psd_destroy(psd);
   packing_domain_destroy(domain);
