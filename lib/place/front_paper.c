@@ -129,8 +129,7 @@ packing_body packing_i_paper_body(const packing_placer *placer, size_t particle,
   return body;
 }
 
-/* How far below an open top a point lies; infinity: there is none. */
-static double below_top(const packing_domain *domain, packing_vec3 p)
+double packing_i_paper_below_top(const packing_domain *domain, packing_vec3 p)
 {
   const int axis = domain->body.open_axis;
   if (axis < 0)
@@ -144,7 +143,7 @@ int packing_i_paper_inside(const packing_placer *placer, const packing_body *mob
   const packing_i_paper *paper = placer->method;
   const double slack = packing_i_paper_slack(paper, mobile->r, mobile->r);
   if (!packing_i_vec_finite(mobile->centre) ||
-      below_top(placer->domain, mobile->centre) < mobile->r - slack)
+      packing_i_paper_below_top(placer->domain, mobile->centre) < mobile->r - slack)
     return 0;
   if (mobile->shape == NULL) {
     if (!packing_domain_holds(placer->domain, &mobile->centre, mobile->r - slack))
@@ -206,7 +205,7 @@ static void select(packing_placer *placer)
   packing_domain_wrap(placer->domain, &scan->centre);
   scan->r_i = store->r[scan->i];
   scan->room = fmin(packing_domain_signed_distance(placer->domain, &scan->centre, NULL),
-                    below_top(placer->domain, scan->centre));
+                    packing_i_paper_below_top(placer->domain, scan->centre));
   scan->zone = packing_i_source_zone(paper->front.source, &scan->centre);
   scan->selected = 1;
   scan->gathered = 0;
@@ -214,16 +213,13 @@ static void select(packing_placer *placer)
     memset(paper->seen, 0, paper->zones);
 }
 
-/* The neighbours V of P_i: nearer than 2 r, surface to surface. */
-static packing_status gather(packing_placer *placer)
+/* What is nearer to P_i than `gap`, surface to surface. */
+static packing_status find_near(packing_placer *placer, double gap)
 {
   packing_i_paper *paper = placer->method;
   packing_i_paper_scan *scan = &paper->scan;
-  scan->r = paper->pending[scan->zone].r;
-  scan->unit = scan->r_i + scan->r;
-  PACKING_I_TRY(packing_i_paper_reserve(placer, 1, scan->r));
-  PACKING_I_TRY(packing_i_index_near(&paper->index, scan->centre, scan->r_i + 2 * scan->r,
-                                     &scan->near));
+  PACKING_I_TRY(
+      packing_i_index_near(&paper->index, scan->centre, scan->r_i + gap, &scan->near));
   size_t kept = 0;
   for (size_t l = 0; l < scan->near.count; l++) {
     const packing_i_index_image *image = &scan->near.at[l];
@@ -233,13 +229,43 @@ static packing_status gather(packing_placer *placer)
       scan->near.at[kept++] = *image;
   }
   scan->near.count = kept;
-  scan->next_outer = 0;
-  scan->picked = scan->picked_inner = 0;
   paper->work += 16 * (kept + 8);
-  if (paper->closed_form && paper->phase == PACKING_I_PAPER_INSIDE)
-    PACKING_I_TRY(packing_i_paper_rings_begin(placer));
-  else
-    PACKING_I_TRY(packing_i_paper_pairs_begin(placer));
+  return PACKING_OK;
+}
+
+/* Whether those next to P_i leave no place for a much larger particle, which is so nearly always
+ * when it would have thousands of neighbours. */
+static packing_status is_closed(packing_placer *placer, int *closed)
+{
+  packing_i_paper *paper = placer->method;
+  packing_i_paper_scan *scan = &paper->scan;
+  *closed = 0;
+  if (!paper->closed_form || paper->phase != PACKING_I_PAPER_INSIDE ||
+      scan->r <= 2 * scan->r_i)
+    return PACKING_OK;
+  PACKING_I_TRY(find_near(placer, scan->r_i));
+  return packing_i_paper_rings_closed(placer, closed);
+}
+
+/* The neighbours V of P_i: nearer than 2 r, surface to surface. */
+static packing_status gather(packing_placer *placer)
+{
+  packing_i_paper *paper = placer->method;
+  packing_i_paper_scan *scan = &paper->scan;
+  scan->r = paper->pending[scan->zone].r;
+  scan->unit = scan->r_i + scan->r;
+  scan->next_outer = scan->outers = 0;
+  scan->picked = scan->picked_inner = 0;
+  PACKING_I_TRY(packing_i_paper_reserve(placer, 1, scan->r));
+  int closed;
+  PACKING_I_TRY(is_closed(placer, &closed));
+  if (!closed) {
+    PACKING_I_TRY(find_near(placer, 2 * scan->r));
+    if (paper->closed_form && paper->phase == PACKING_I_PAPER_INSIDE)
+      PACKING_I_TRY(packing_i_paper_rings_begin(placer));
+    else
+      PACKING_I_TRY(packing_i_paper_pairs_begin(placer));
+  }
   scan->gathered = 1;
   return PACKING_OK;
 }
@@ -301,6 +327,17 @@ static packing_status begin_inside(packing_placer *placer)
   return PACKING_OK;
 }
 
+/* As an inward front, with all that stands. */
+static packing_status begin_walls(packing_placer *placer)
+{
+  packing_i_paper *paper = placer->method;
+  PACKING_I_TRY(begin_inside(placer));
+  paper->phase = PACKING_I_PAPER_WALLS;
+  paper->again = PACKING_I_PAPER_AGAIN_NEVER;
+  packing_i_paper_walk_begin(placer);
+  return PACKING_OK;
+}
+
 /* Step 1. */
 static packing_status start(packing_placer *placer)
 {
@@ -311,12 +348,17 @@ static packing_status start(packing_placer *placer)
     if (placer->tally.state != PACKING_PLACER_RUNNING)
       return PACKING_OK;
   }
-  PACKING_I_TRY(begin_inside(placer));
-  if (!started) {
-    paper->phase = PACKING_I_PAPER_WALLS;
-    packing_i_paper_walk_begin(placer);
-  }
-  return PACKING_OK;
+  return started ? begin_inside(placer) : begin_walls(placer);
+}
+
+/* The front of the inside has run out. */
+static packing_status look(packing_placer *placer)
+{
+  packing_i_paper_search search;
+  PACKING_I_TRY(packing_i_paper_look(placer, &search));
+  if (search == PACKING_I_PAPER_FULL)
+    finish(placer, PACKING_PLACER_SATURATED);
+  return search == PACKING_I_PAPER_AT_WALLS ? begin_walls(placer) : PACKING_OK;
 }
 
 static packing_status advance(packing_placer *placer)
@@ -331,10 +373,8 @@ static packing_status advance(packing_placer *placer)
     select(placer);
     return PACKING_OK;
   }
-  if (paper->phase == PACKING_I_PAPER_INSIDE) {
-    finish(placer, PACKING_PLACER_SATURATED);
-    return PACKING_OK;
-  }
+  if (paper->phase == PACKING_I_PAPER_INSIDE)
+    return look(placer);
   int over = 0;
   PACKING_I_TRY(packing_i_paper_walk_on(placer, &over));
   return over && placer->tally.state == PACKING_PLACER_RUNNING ? begin_inside(placer)

@@ -75,6 +75,14 @@ typedef enum packing_i_paper_phase {
   PACKING_I_PAPER_INSIDE
 } packing_i_paper_phase;
 
+/* How far the search is for what an outward front did not get to. */
+typedef enum packing_i_paper_again {
+  PACKING_I_PAPER_AGAIN_LATER,
+  PACKING_I_PAPER_AGAIN_GROUPS, /* room for a first group */
+  PACKING_I_PAPER_AGAIN_WALLS,  /* room for a particle far from all */
+  PACKING_I_PAPER_AGAIN_NEVER
+} packing_i_paper_again;
+
 typedef struct packing_i_paper {
   packing_i_front front;
   packing_front_direction direction;
@@ -95,6 +103,8 @@ typedef struct packing_i_paper {
   packing_i_paper_walk walk;
   packing_i_paper_pending first[4]; /* drawn for the start, of the zone below */
   size_t firsts, first_next, first_zone;
+  packing_i_paper_again again;
+  size_t groups;   /* placed as an outward front's first particles */
   size_t before;   /* particles that stood in the store */
   double rounding; /* unit of the container's coordinates */
   uint64_t work;   /* done in this step, in some 10 ns */
@@ -175,6 +185,9 @@ void packing_i_paper_order(packing_i_paper *paper, uint32_t *order, size_t count
 void packing_i_paper_pick(packing_i_paper *paper, uint32_t *order, size_t at,
                           size_t count);
 
+/* Whether the neighbours gathered, not all there are, leave no place beside P_i already. */
+packing_status packing_i_paper_rings_closed(packing_placer *placer, int *closed);
+
 /* Steps 2.2 and 2.2.1 for spheres, in closed form. */
 packing_status packing_i_paper_rings_begin(packing_placer *placer);
 packing_status packing_i_paper_rings(packing_placer *placer,
@@ -196,6 +209,34 @@ packing_status packing_i_paper_loose(packing_placer *placer,
 
 /* Step 1, outward. *started 0: there is no room for it. */
 packing_status packing_i_paper_start_outward(packing_placer *placer, int *started);
+
+/* Step 1 once more: a group with the mean of its centres at a point; *room 0: there is none. */
+packing_status packing_i_paper_start_at(packing_placer *placer, packing_vec3 at,
+                                        int *room);
+
+/* What is to be done when an outward front has run out. */
+typedef enum packing_i_paper_search {
+  PACKING_I_PAPER_SEARCHING, /* go on; perhaps there is a new front */
+  PACKING_I_PAPER_AT_WALLS,  /* the walls are to be begun with */
+  PACKING_I_PAPER_FULL
+} packing_i_paper_search;
+
+/* Looks into one more cell for a part of the container that the front did not get to. */
+packing_status packing_i_paper_look(packing_placer *placer,
+                                    packing_i_paper_search *search);
+
+/* How far below an open top a point lies; infinity: there is none. */
+double packing_i_paper_below_top(const packing_domain *domain, packing_vec3 p);
+
+/* Parts a cell of the walk, the top of its stack; the lowest part is looked at first. */
+void packing_i_paper_divide(packing_i_paper_walk *walk, int dim);
+
+/* From the centre of a cell to its corners. */
+double packing_i_paper_cell_reach(const packing_i_paper_cell *cell, int dim);
+
+/* Whether a cell meets the bounds of the container. */
+int packing_i_paper_cell_counts(const packing_placer *placer,
+                                const packing_i_paper_cell *cell);
 
 /* Step 1, inward, and the rest of the walls that the front did not reach: looks into one more
  * cell. *over 1: there is none left. */

@@ -20,9 +20,11 @@ static packing_i_ring_body body_of(const packing_i_paper *paper, packing_vec3 p,
   return body;
 }
 
+/* Whether all neighbours are looked at for each P_j: where they are few, or P_i is not so large that
+ * most of them are far from any one. */
 static int is_few(const packing_i_paper_scan *scan)
 {
-  return scan->near.count <= PACKING_I_PAPER_FEW;
+  return scan->near.count <= PACKING_I_PAPER_FEW || scan->r_i <= 4 * scan->r;
 }
 
 static size_t particle_of_body(const packing_i_paper_scan *scan, size_t entry)
@@ -64,6 +66,40 @@ static void fill_bodies(packing_i_paper *paper)
     if (!is_hidden(scan->body, scan->bodies, body))
       scan->body[scan->bodies++] = *body;
   }
+}
+
+/* Whether no place on the ring of body j is free of the bodies at hand. */
+static int is_ring_covered(packing_i_paper *paper, size_t j, int flat)
+{
+  packing_i_paper_scan *scan = &paper->scan;
+  packing_i_ring ring = packing_i_ring_flat();
+  size_t bounding;
+  if (!flat && !packing_i_ring_of(&scan->body[j], &ring))
+    return 1;
+  if (!packing_i_ring_bounds(&ring, scan->body, scan->bodies, flat ? SIZE_MAX : j,
+                             scan->bound, &bounding))
+    return 1;
+  paper->work += scan->bodies + 6 * bounding;
+  return bounding > 0 && packing_i_ring_ends(scan->body, scan->bound, bounding, 0,
+                                             bounding, scan->end) == 0;
+}
+
+packing_status packing_i_paper_rings_closed(packing_placer *placer, int *closed)
+{
+  packing_i_paper *paper = placer->method;
+  packing_i_paper_scan *scan = &paper->scan;
+  const int flat = placer->particles->dim == 2;
+  *closed = 0;
+  if (scan->near.count > PACKING_I_PAPER_FEW)
+    scan->near.count = PACKING_I_PAPER_FEW;
+  PACKING_I_TRY(packing_i_paper_rows(placer, scan->near.count));
+  fill_bodies(paper);
+  const size_t rings = flat && scan->bodies > 0 ? 1 : scan->bodies;
+  size_t j = 0;
+  while (j < rings && is_ring_covered(paper, j, flat))
+    j++;
+  *closed = rings > 0 && j == rings;
+  return PACKING_OK;
 }
 
 packing_status packing_i_paper_rings_begin(packing_placer *placer)

@@ -110,8 +110,8 @@ static int gathered_group(packing_i_paper *paper, int dim, packing_vec3 c[4])
   return 1;
 }
 
-/* Moves the mean of the centres to the innermost point. */
-static void shift(const packing_i_paper *paper, packing_vec3 c[4])
+/* Moves the mean of the centres to a point. */
+static void shift(const packing_i_paper *paper, packing_vec3 at, packing_vec3 c[4])
 {
   const double share = 1.0 / (double)paper->firsts;
   packing_vec3 sum = {0, 0, 0};
@@ -119,7 +119,7 @@ static void shift(const packing_i_paper *paper, packing_vec3 c[4])
     sum = packing_i_add(sum, c[n]);
   const packing_vec3 mean = packing_i_scale(sum, share);
   for (size_t n = 0; n < paper->firsts; n++)
-    c[n] = packing_i_add(paper->front.innermost, packing_i_sub(c[n], mean));
+    c[n] = packing_i_add(at, packing_i_sub(c[n], mean));
 }
 
 /* Whether the bodies of the group keep off each other's periodic images too. */
@@ -157,22 +157,33 @@ static packing_status has_room(const packing_placer *placer, const packing_vec3 
   return PACKING_OK;
 }
 
-/* Draws the first particles, the largest first; fewer where fewer are asked for. */
-static void draw_first(packing_placer *placer)
+static void add_first(packing_i_paper *paper, const packing_i_paper_pending *drawn)
+{
+  size_t n = paper->firsts++;
+  for (; n > 0 && paper->first[n - 1].r < drawn->r; n--)
+    paper->first[n] = paper->first[n - 1];
+  paper->first[n] = *drawn;
+}
+
+/* Draws the first particles, the largest first, with the one that is pending; fewer where fewer are
+ * asked for. */
+static void draw_first(packing_placer *placer, packing_vec3 at)
 {
   packing_i_paper *paper = placer->method;
   const size_t most = (size_t)placer->particles->dim + 1;
   packing_placer_report tally = placer->tally;
   packing_i_paper_pending drawn;
-  paper->first_zone = packing_i_source_zone(paper->front.source, &paper->front.innermost);
-  while (paper->firsts < most &&
-         packing_i_paper_draw(placer, paper->first_zone, &tally, &drawn)) {
+  paper->firsts = paper->first_next = 0;
+  paper->first_zone = packing_i_source_zone(paper->front.source, &at);
+  drawn = paper->pending[paper->first_zone];
+  paper->pending[paper->first_zone].r = 0;
+  while (
+      paper->firsts < most &&
+      (drawn.r > 0 || packing_i_paper_draw(placer, paper->first_zone, &tally, &drawn))) {
     tally.placed++;
     tally.solid_volume += drawn.volume;
-    size_t n = paper->firsts++;
-    for (; n > 0 && paper->first[n - 1].r < drawn.r; n--)
-      paper->first[n] = paper->first[n - 1];
-    paper->first[n] = drawn;
+    add_first(paper, &drawn);
+    drawn.r = 0;
   }
 }
 
@@ -199,31 +210,41 @@ static packing_status place_one(packing_placer *placer)
   return PACKING_OK;
 }
 
-packing_status packing_i_paper_start_outward(packing_placer *placer, int *started)
+packing_status packing_i_paper_start_at(packing_placer *placer, packing_vec3 at,
+                                        int *room)
 {
   packing_i_paper *paper = placer->method;
   const int dim = placer->particles->dim;
-  if (paper->firsts == 0)
-    draw_first(placer);
+  *room = 0;
+  if (paper->firsts == paper->first_next)
+    draw_first(placer, at);
   for (size_t n = 0; n < paper->firsts; n++)
     PACKING_I_TRY(packing_i_paper_reserve(placer, paper->firsts, paper->first[n].r));
   const packing_i_stream before = paper->turns;
-  int room = 0;
-  for (int k = 0; k < TURNS && !room && paper->firsts > 0; k++) {
+  for (int k = 0; k < TURNS && !*room && paper->firsts > 0; k++) {
     packing_vec3 c[4] = {{0, 0, 0}};
     if (paper->shape == NULL)
       turned_group(paper, dim, c);
     else if (!gathered_group(paper, dim, c))
       continue;
-    shift(paper, c);
-    const packing_status status = has_room(placer, c, &room);
+    shift(paper, at, c);
+    const packing_status status = has_room(placer, c, room);
     if (status != PACKING_OK) {
       paper->turns = before;
       return status;
     }
-    if (room)
+    if (*room)
       place(placer, c);
   }
+  paper->groups += (size_t)*room;
+  return PACKING_OK;
+}
+
+packing_status packing_i_paper_start_outward(packing_placer *placer, int *started)
+{
+  packing_i_paper *paper = placer->method;
+  int room;
+  PACKING_I_TRY(packing_i_paper_start_at(placer, paper->front.innermost, &room));
   *started = room || paper->before > 0 || !isfinite(paper->front.room);
   if (!room && !isfinite(paper->front.room) && paper->firsts > 0)
     return place_one(placer);

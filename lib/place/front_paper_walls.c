@@ -33,28 +33,39 @@ void packing_i_paper_walk_begin(packing_placer *placer)
   paper->walk.cells = 1;
 }
 
-/* Whether the boundary can run through a cell. */
-static int has_boundary(const packing_placer *placer, const packing_i_paper_cell *cell)
+int packing_i_paper_cell_counts(const packing_placer *placer,
+                                const packing_i_paper_cell *cell)
 {
-  const int dim = placer->particles->dim;
   packing_bounds b;
   packing_domain_bounds(placer->domain, &b);
-  for (int axis = 0; axis < dim; axis++) {
+  for (int axis = 0; axis < placer->particles->dim; axis++) {
     const double x = component_of(cell->centre, axis);
     if (x - cell->half > component_of(b.hi, axis) ||
         x + cell->half < component_of(b.lo, axis))
       return 0;
   }
-  const double reach = cell->half * (dim == 2 ? diagonal_2d : diagonal_3d);
+  return 1;
+}
+
+double packing_i_paper_cell_reach(const packing_i_paper_cell *cell, int dim)
+{
+  return cell->half * (dim == 2 ? diagonal_2d : diagonal_3d);
+}
+
+/* Whether the boundary can run through a cell. */
+static int has_boundary(const packing_placer *placer, const packing_i_paper_cell *cell)
+{
+  if (!packing_i_paper_cell_counts(placer, cell))
+    return 0;
+  const double reach = packing_i_paper_cell_reach(cell, placer->particles->dim);
   const double distance =
       packing_domain_signed_distance(placer->domain, &cell->centre, NULL);
   return distance <= reach && distance >= -reach;
 }
 
-/* The lowest part is looked at first. */
-static void divide(packing_i_paper *paper, packing_i_paper_cell cell, int dim)
+void packing_i_paper_divide(packing_i_paper_walk *walk, int dim)
 {
-  packing_i_paper_walk *walk = &paper->walk;
+  const packing_i_paper_cell cell = walk->cell[--walk->cells];
   const double half = 0.5 * cell.half;
   for (int part = (dim == 2 ? 4 : 8) - 1; part >= 0; part--) {
     packing_i_paper_cell *child = &walk->cell[walk->cells++];
@@ -135,8 +146,7 @@ packing_status packing_i_paper_walk_on(packing_placer *placer, int *over)
   paper->work += 10;
   if (has_boundary(placer, &cell)) {
     if (cell.half > finest * mean) {
-      walk->cells--;
-      divide(paper, cell, placer->particles->dim);
+      packing_i_paper_divide(walk, placer->particles->dim);
       return PACKING_OK;
     }
     paper->work += 60;

@@ -26,7 +26,7 @@ void packing_i_index_release(packing_i_index *index)
 {
   const packing_allocator *allocator = packing_i_allocator(index->context);
   for (int l = 0; l < PACKING_I_INDEX_LEVELS; l++)
-    packing_i_free(allocator, index->level[l].head);
+    packing_i_free(allocator, index->level[l].full);
   packing_i_free(allocator, index->entry);
 }
 
@@ -69,14 +69,18 @@ static packing_status level_start(packing_i_index *index, int l)
     per[axis] = w[axis] > 0 ? n[axis] / w[axis] : 0;
   }
   limit_cells(8.0 * (double)expected + 4096.0, n);
-  uint32_t *head = packing_i_calloc(packing_i_allocator(index->context),
-                                    (size_t)(n[0] * n[1] * n[2]), sizeof *head);
-  if (head == NULL)
+  const size_t words = (size_t)ceil(n[0] / 64), rows = (size_t)(n[1] * n[2]);
+  const size_t heads = ((size_t)n[0] * rows + 1) / 2; /* two a word */
+  uint64_t *full = packing_i_calloc(packing_i_allocator(index->context),
+                                    words * rows + heads, sizeof *full);
+  if (full == NULL)
     return packing_i_nomem(index->context);
   for (int axis = 0; axis < 3; axis++)
     level->n[axis] = (size_t)n[axis];
   level->per_edge = packing_i_vec(per[0], per[1], per[2]);
-  level->head = head;
+  level->full = full;
+  level->words = words;
+  level->head = (void *)(full + words * rows);
   return PACKING_OK;
 }
 
@@ -126,7 +130,9 @@ void packing_i_index_insert(packing_i_index *index, packing_vec3 p, double r)
   const size_t ix = held_along(p.x, index->lo.x, level->per_edge.x, whole[0], n[0]);
   const size_t iy = held_along(p.y, index->lo.y, level->per_edge.y, whole[1], n[1]);
   const size_t iz = held_along(p.z, index->lo.z, level->per_edge.z, whole[2], n[2]);
-  uint32_t *head = &level->head[(iz * n[1] + iy) * n[0] + ix];
+  const size_t row = iz * n[1] + iy;
+  uint32_t *head = &level->head[row * n[0] + ix];
+  level->full[row * level->words + ix / 64] |= UINT64_C(1) << (ix % 64);
   index->entry[index->count] = (packing_i_index_entry){p.x, p.y, p.z, r, *head};
   *head = (uint32_t)++index->count;
   level->count++;
@@ -163,6 +169,21 @@ static size_t next_along(size_t i, size_t n)
   return i + 1 < n ? i + 1 : 0;
 }
 
+/* The first cell of a row, from x on and before `end`, that is not empty; `end`: none. */
+static inline size_t next_full(const uint64_t *full, size_t x, size_t end)
+{
+  if (x >= end)
+    return end;
+  size_t word = x / 64;
+  uint64_t rest = full[word] >> (x % 64) << (x % 64);
+  while (rest == 0 && ++word * 64 < end)
+    rest = full[word];
+  if (rest == 0)
+    return end;
+  x = 64 * word + (size_t)__builtin_ctzll(rest);
+  return x < end ? x : end;
+}
+
 static int chain_free(const packing_i_index *index, uint32_t at, packing_vec3 p, double r)
 {
   while (at != 0) {
@@ -175,6 +196,37 @@ static int chain_free(const packing_i_index *index, uint32_t at, packing_vec3 p,
   return 1;
 }
 
+/* Row y, z of a level; its cells from x on that a ball meets, round the torus, are in up to two
+ * runs. */
+typedef struct row_walk {
+  const uint64_t *full;
+  const uint32_t *head;
+  size_t x, end; /* of this run */
+  size_t left;   /* cells of the next */
+} row_walk;
+
+static row_walk row_begin(const packing_i_index_level *level, const span *s, size_t y,
+                          size_t z)
+{
+  const size_t row = z * level->n[1] + y, n = level->n[0], first = s->first[0];
+  const size_t end = s->count[0] < n - first ? first + s->count[0] : n;
+  return (row_walk){level->full + row * level->words, level->head + row * n, first, end,
+                    s->count[0] - (end - first)};
+}
+
+/* The next chain of the row; 0: there is none. */
+static inline uint32_t row_next(row_walk *row)
+{
+  size_t x = next_full(row->full, row->x, row->end);
+  if (x == row->end && row->left > 0) {
+    row->end = row->left;
+    row->left = 0;
+    x = next_full(row->full, 0, row->end);
+  }
+  row->x = x + 1;
+  return x < row->end ? row->head[x] : 0;
+}
+
 static int level_free(const packing_i_index *index, const packing_i_index_level *level,
                       packing_vec3 p, double r)
 {
@@ -184,10 +236,9 @@ static int level_free(const packing_i_index *index, const packing_i_index_level 
   for (size_t k = 0; k < s.count[2]; k++, z = next_along(z, n[2])) {
     size_t y = s.first[1];
     for (size_t j = 0; j < s.count[1]; j++, y = next_along(y, n[1])) {
-      const uint32_t *head = &level->head[(z * n[1] + y) * n[0]];
-      size_t x = s.first[0];
-      for (size_t i = 0; i < s.count[0]; i++, x = next_along(x, n[0]))
-        if (!chain_free(index, head[x], p, r))
+      row_walk row = row_begin(level, &s, y, z);
+      for (uint32_t at = row_next(&row); at != 0; at = row_next(&row))
+        if (!chain_free(index, at, p, r))
           return 0;
     }
   }
@@ -268,23 +319,45 @@ static packing_status chain_near(const packing_i_index *index, uint32_t at,
   return PACKING_OK;
 }
 
+/* Chains are on their way from memory while those before are gone through. */
+typedef struct chain_queue {
+  uint32_t at[32];
+  size_t count;
+} chain_queue;
+
+static packing_status queue_flush(const packing_i_index *index, chain_queue *queue,
+                                  packing_vec3 p, double distance,
+                                  packing_i_index_images *images)
+{
+  const size_t count = queue->count;
+  queue->count = 0;
+  for (size_t k = 0; k < count; k++)
+    PACKING_I_TRY(chain_near(index, queue->at[k], p, distance, images));
+  return PACKING_OK;
+}
+
 static packing_status level_near(const packing_i_index *index,
                                  const packing_i_index_level *level, packing_vec3 p,
                                  double distance, packing_i_index_images *images)
 {
   const span s = level_span(index, level, p, distance + level->largest_r);
   const size_t *n = level->n;
+  chain_queue queue;
+  queue.count = 0;
   size_t z = s.first[2];
   for (size_t k = 0; k < s.count[2]; k++, z = next_along(z, n[2])) {
     size_t y = s.first[1];
     for (size_t j = 0; j < s.count[1]; j++, y = next_along(y, n[1])) {
-      const uint32_t *head = &level->head[(z * n[1] + y) * n[0]];
-      size_t x = s.first[0];
-      for (size_t i = 0; i < s.count[0]; i++, x = next_along(x, n[0]))
-        PACKING_I_TRY(chain_near(index, head[x], p, distance, images));
+      row_walk row = row_begin(level, &s, y, z);
+      for (uint32_t at = row_next(&row); at != 0; at = row_next(&row)) {
+        __builtin_prefetch(&index->entry[at - 1]);
+        queue.at[queue.count++] = at;
+        if (queue.count == sizeof queue.at / sizeof *queue.at)
+          PACKING_I_TRY(queue_flush(index, &queue, p, distance, images));
+      }
     }
   }
-  return PACKING_OK;
+  return queue_flush(index, &queue, p, distance, images);
 }
 
 packing_status packing_i_index_near(const packing_i_index *index, packing_vec3 p,

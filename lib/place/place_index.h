@@ -6,7 +6,8 @@
  * radii below the largest (Krijgsman, Ogarko and Luding, Comput. Part. Mech. 1, 357, 2014). A
  * level's cells are at least a largest diameter of the level wide. There are no more than some for
  * each particle expected, so memory goes with particles, not with volume: where the container needs
- * more, cells far apart share one, like the two ends of a torus. */
+ * more, cells far apart share one, like the two ends of a torus. Most cells of the fine levels are
+ * empty where sizes differ much: a bit a cell tells, and 64 are passed over at once. */
 
 #include "place_internal.h"
 
@@ -17,6 +18,8 @@ typedef struct packing_i_index_level {
   packing_vec3 per_edge;
   size_t n[3];     /* cells held */
   size_t whole[3]; /* cells of the container: n, or more where they share */
+  uint64_t *full;  /* per cell a bit: whether there is any; rows along x start a word */
+  size_t words;    /* of a row */
   uint32_t *head;  /* per cell: index + 1 of the first entry; NULL: nothing there yet */
   size_t count;
 } packing_i_index_level;

@@ -134,6 +134,48 @@ static void rings_give_the_places_of_all_triples(void **state)
   packing_rng_destroy(rng);
 }
 
+/* A particle is closed for another by what stands next to it when no triple has a place; else there
+ * is one. */
+static void closed_is_without_places(void **state)
+{
+  (void)state;
+  packing_rng *rng = NULL;
+  size_t closed_ones = 0, open_ones = 0;
+  assert_ok(packing_rng_create(NULL, 5, PACKING_PURPOSE_USER, 0, &rng));
+  for (int pack = 0; pack < 600; pack++) {
+    const int dim = 2 + pack % 2;
+    const double size = 2 + 18 * packing_rng_uniform(rng);
+    packing_vec3 p[MOST];
+    double r[MOST];
+    packing_i_index_image image[MOST];
+    packing_particles *store = test_store(dim);
+    packing_i_paper paper = {0};
+    packing_placer placer = {0};
+    placer.method = &paper;
+    placer.particles = store;
+    paper.scan.r = size;
+    paper.scan.r_i = 1;
+    paper.scan.unit = 1 + size;
+    paper.scan.near.at = image;
+    const size_t all = spheres(rng, dim, p, r), few = 3 + (size_t)pack % 9;
+    const size_t count = all < few ? all : few;
+    for (size_t l = 0; l < count; l++)
+      image[l] = (packing_i_index_image){p[l], r[l], l};
+    paper.scan.near.count = count;
+    int closed = -1;
+    assert_ok(packing_i_paper_rings_closed(&placer, &closed));
+    size_t places = 0;
+    for (size_t j = 0; j < count; j++)
+      places += twin(p, r, count, dim, j, size);
+    assert_int_equal(closed, places == 0);
+    *(closed ? &closed_ones : &open_ones) += 1;
+    packing_i_free(packing_i_allocator(NULL), paper.scan.rows);
+    packing_particles_destroy(store);
+  }
+  assert_true(closed_ones > 50 && open_ones > 50);
+  packing_rng_destroy(rng);
+}
+
 /* All images near a point, in cells smaller than the reach too. */
 static void near_finds_what_all_images_give(void **state)
 {
@@ -259,6 +301,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(rings_give_the_places_of_all_triples),
+      cmocka_unit_test(closed_is_without_places),
       cmocka_unit_test(near_finds_what_all_images_give),
       cmocka_unit_test(lists_give_members_in_order),
       cmocka_unit_test(directions_are_uniform),

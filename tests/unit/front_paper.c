@@ -2,6 +2,7 @@
 /* The advancing front in paper mode, outward: the worked example, the start, contacts, goals. */
 #include "cluster.h"
 #include "front_scenes.h"
+#include "solids.h"
 
 static packing_vec3 at(double x, double y, double z)
 {
@@ -126,8 +127,18 @@ static void a_start_of_very_unequal_spheres(void **state)
   packing_domain_destroy(domain);
 }
 
+static size_t at_walls(packing_domain *domain, packing_particles *store)
+{
+  size_t touching = 0;
+  for (size_t i = 0; i < packing_particles_count(store); i++)
+    touching += front_wall_gap(domain, store, i) <= 1e-10;
+  return touching;
+}
+
 /* Each particle after the start touches dim others: 3 N - 6 contacts in space, 2 N - 3 in the
- * plane; mean coordination 6 - 12 / N and 4 - 6 / N. No wall is touched. */
+ * plane; mean coordination 6 - 12 / N and 4 - 6 / N. No wall is touched, but where the youngest are
+ * taken first in the narrow tube (the front of two seeds of three runs out in a corner there, and
+ * begins again at the walls). */
 static void contacts_follow_the_law(void **state)
 {
   (void)state;
@@ -143,14 +154,13 @@ static void contacts_follow_the_law(void **state)
       def.seed = 5 + k;
       const packing_placer_report report = front_pack(&def, domain, psd, store);
       assert_int_equal(report.state, PACKING_PLACER_SATURATED);
-      if (select == 0) /* other orders may run into a corner early */
-        assert_true(report.volume_fraction > (dim == 2 ? 0.6 : 0.3));
+      assert_true(report.volume_fraction > (dim == 2 ? 0.6 : 0.3));
       assert_int_equal(report.unplaced, 1);
       const size_t n = packing_particles_count(store);
-      assert_int_equal(front_contacts(domain, store), dim * n - (dim == 3 ? 6 : 3));
-      if (has_walls(domain))
-        for (size_t i = 0; i < n; i++)
-          assert_true(front_wall_gap(domain, store, i) > 1e-10);
+      const int again = has_walls(domain) && at_walls(domain, store) > 0;
+      if (!again)
+        assert_int_equal(front_contacts(domain, store), dim * n - (dim == 3 ? 6 : 3));
+      assert_true(!again || (select >= 6 && front_rooms[k].kind == SCENE_TUBE));
       packing_particles_destroy(store);
       packing_psd_destroy(psd);
       packing_domain_destroy(domain);
@@ -408,6 +418,96 @@ static void where_the_start_has_no_room(void **state)
   }
 }
 
+/* Where a group has room but the front that it begins soon runs out, because next to nothing touches
+ * three and lies inside, the walls are begun with. Without that these hold 3 to 100 particles, the
+ * foils less than 4 % of their volume. */
+static void a_front_that_runs_out_begins_again_at_the_walls(void **state)
+{
+  (void)state;
+  const scene rooms[] = {{SCENE_TUBE, 2, 4, 8, 0, {0, 0, 0}, 2, 0, 0},
+                         {SCENE_BOX, 14, 14, 2.4, 0, {0, 0, 0}, 2, 0, 0},
+                         {SCENE_RECTANGLE, 20, 2.4, 0, 0, {0, 0, 0}, 1, 0, 0}};
+  for (size_t k = 0; k < sizeof rooms / sizeof *rooms; k++)
+    for (int select = 0; select < 3; select++)
+      for (uint64_t seed = 1; seed <= 4; seed++) {
+        packing_domain *domain = scene_make(&rooms[k]);
+        packing_psd *psd = test_uniform(0.4, 0.6);
+        packing_particles *store = test_store(packing_domain_dim(domain));
+        packing_front_def def = front_paper();
+        def.seed = seed;
+        def.select_particle = def.select_neighbours = (packing_front_select)select;
+        const packing_placer_report report = front_pack(&def, domain, psd, store);
+        assert_int_equal(report.state, PACKING_PLACER_SATURATED);
+        assert_true(report.volume_fraction > 0.3);
+        packing_particles_destroy(store);
+        packing_psd_destroy(psd);
+        packing_domain_destroy(domain);
+      }
+}
+
+/* Chambers that the front cannot get to: a group in each, 3 N - 6 contacts for each. */
+static void each_chamber_begins_with_a_group(void **state)
+{
+  (void)state;
+  for (int dim = 2; dim <= 3; dim++)
+    for (int chambers = 1; chambers <= 4; chambers++) {
+      packing_domain *domain = NULL;
+      for (int c = 0; c < chambers; c++) {
+        packing_domain *one = dim == 2 ? solid_rectangle(17, 15, 20 * c, 3)
+                                       : solid_box(9, 8, 10, 12 * c, 1, -5);
+        domain = domain == NULL ? one : solid_of(PACKING_UNION, domain, one);
+      }
+      packing_psd *psd = test_uniform(0.7, 1.1);
+      packing_particles *store = test_store(dim);
+      const packing_front_def def = front_paper();
+      const packing_placer_report report = front_pack(&def, domain, psd, store);
+      const size_t n = report.placed, d = (size_t)dim, groups = (size_t)chambers;
+      assert_int_equal(report.state, PACKING_PLACER_SATURATED);
+      assert_int_equal(front_contacts(domain, store),
+                       d * n - groups * (dim == 3 ? 6 : 3));
+      assert_int_equal(at_walls(domain, store), 0);
+      for (int c = 0; c < chambers; c++) {
+        size_t here = 0;
+        for (size_t i = 0; i < n; i++)
+          here += floor(front_centre(store, i).x / (dim == 2 ? 20 : 12)) == c;
+        assert_true(here > (dim == 2 ? 45 : 60));
+      }
+      packing_particles_destroy(store);
+      packing_psd_destroy(psd);
+      packing_domain_destroy(domain);
+    }
+}
+
+/* Sizes up to 20 to 1, no two equal and most of them small: the law holds, and the list is placed to
+ * its end. */
+static void wide_gradings_follow_the_law(void **state)
+{
+  (void)state;
+  enum { RADII = 1200 };
+  static packing_front_class classes[RADII];
+  for (int i = 0; i < RADII; i++) {
+    const double u = fmod(0.6180339887498949 * (i + 1), 1);
+    classes[i] = (packing_front_class){0.1 * pow(20, u * u * u * u), 1};
+  }
+  for (int dim = 2; dim <= 3; dim++)
+    for (int select = 0; select < 3; select++) {
+      packing_domain *domain =
+          dim == 2 ? test_rectangle(70, 70, 0) : test_box(16, 15, 17, 0);
+      packing_particles *store = test_store(dim);
+      packing_front_def def = front_paper();
+      def.classes = classes;
+      def.class_count = RADII;
+      def.select_particle = def.select_neighbours = (packing_front_select)select;
+      const packing_placer_report report = front_pack(&def, domain, NULL, store);
+      assert_int_equal(report.state, PACKING_PLACER_DONE);
+      assert_int_equal(report.placed, RADII);
+      assert_int_equal(front_contacts(domain, store),
+                       (size_t)dim * RADII - (dim == 3 ? 6 : 3));
+      packing_particles_destroy(store);
+      packing_domain_destroy(domain);
+    }
+}
+
 /* A particle larger than the container stays pending, and is told. */
 static void a_particle_that_cannot_fit(void **state)
 {
@@ -537,6 +637,9 @@ int main(void)
       cmocka_unit_test(regions),
       cmocka_unit_test(on_what_stands),
       cmocka_unit_test(where_the_start_has_no_room),
+      cmocka_unit_test(a_front_that_runs_out_begins_again_at_the_walls),
+      cmocka_unit_test(each_chamber_begins_with_a_group),
+      cmocka_unit_test(wide_gradings_follow_the_law),
       cmocka_unit_test(a_particle_that_cannot_fit),
       cmocka_unit_test(three_decades_of_radii),
       cmocka_unit_test(a_huge_container),
