@@ -28,6 +28,16 @@ int packing_i_front_wants(const packing_i_front *front,
 double packing_i_front_progress(const packing_i_front *front,
                                 const packing_placer *placer);
 
+/* ---- front_turn.c ---- */
+
+/* A random rotation, uniform: a unit quaternion; in the plane about z. */
+void packing_i_front_turn(packing_i_stream *stream, int dim, double q[4]);
+/* A random unit vector, uniform. */
+packing_vec3 packing_i_front_direction(packing_i_stream *stream, int dim);
+/* Turns points about the origin by one random rotation. */
+void packing_i_front_turn_points(packing_i_stream *stream, int dim, packing_vec3 *point,
+                                 size_t count);
+
 /* ---- front_corner.c: places at the walls ---- */
 
 /* Moves x to where a sphere of radius r touches up to three bodies; 0: it did not get there, to

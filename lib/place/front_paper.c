@@ -58,7 +58,7 @@ int packing_i_paper_draw(packing_placer *placer, size_t zone,
     return 0;
   pending->volume = packing_shape_volume(paper->shape, pending->r, dim);
   if (paper->shape != NULL)
-    packing_i_paper_turn(&paper->turns, dim, pending->orientation);
+    packing_i_front_turn(&paper->turns, dim, pending->orientation);
   return packing_i_front_wants(&paper->front, tally, pending->volume);
 }
 

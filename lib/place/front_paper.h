@@ -104,7 +104,6 @@ typedef struct packing_i_paper {
   packing_i_paper_pending first[4]; /* drawn for the start, of the zone below */
   size_t firsts, first_next, first_zone;
   packing_i_paper_again again;
-  size_t groups;   /* placed as an outward front's first particles */
   size_t before;   /* particles that stood in the store */
   double rounding; /* unit of the container's coordinates */
   uint64_t work;   /* done in this step, in some 10 ns */
@@ -124,12 +123,6 @@ typedef enum packing_i_paper_answer {
   PACKING_I_PAPER_PLACED,
   PACKING_I_PAPER_NOWHERE
 } packing_i_paper_answer;
-
-/* A random rotation, uniform: a unit quaternion; in the plane about z. */
-void packing_i_paper_turn(packing_i_stream *stream, int dim, double q[4]);
-
-/* A random unit vector, uniform. */
-packing_vec3 packing_i_paper_direction(packing_i_stream *stream, int dim);
 
 /* Whether a particle would overlap its own periodic image. */
 int packing_i_paper_meets_itself(const packing_placer *placer, double r);

@@ -32,7 +32,7 @@ static int guess(packing_placer *placer, packing_vec3 *x)
   packing_i_paper *paper = placer->method;
   const packing_i_paper_scan *scan = &paper->scan;
   const packing_vec3 from =
-      packing_i_paper_direction(&paper->choice, placer->particles->dim);
+      packing_i_front_direction(&paper->choice, placer->particles->dim);
   packing_body touched[2] = {packing_i_paper_body(placer, scan->i, scan->centre)};
   const packing_body mobile = packing_i_paper_mobile(paper, scan->zone, scan->centre);
   if (paper->shape != NULL)

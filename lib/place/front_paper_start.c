@@ -46,32 +46,13 @@ static void group(const double r[4], size_t count, packing_vec3 c[4])
     c[3] = beside_three(c, r);
 }
 
-/* The columns of a random rotation; in the plane about z. */
-static void turn(packing_i_stream *stream, int dim, packing_vec3 column[3])
-{
-  double q[4];
-  packing_i_paper_turn(stream, dim, q);
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  column[0] =
-      packing_i_vec(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y));
-  column[1] =
-      packing_i_vec(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x));
-  column[2] =
-      packing_i_vec(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
-}
-
 static void turned_group(packing_i_paper *paper, int dim, packing_vec3 c[4])
 {
   double r[4] = {0};
   for (size_t n = 0; n < paper->firsts; n++)
     r[n] = paper->first[n].r;
   group(r, paper->firsts, c);
-  packing_vec3 column[3];
-  turn(&paper->turns, dim, column);
-  for (size_t n = 0; n < paper->firsts; n++)
-    c[n] = packing_i_add(packing_i_scale(column[0], c[n].x),
-                         packing_i_add(packing_i_scale(column[1], c[n].y),
-                                       packing_i_scale(column[2], c[n].z)));
+  packing_i_front_turn_points(&paper->turns, dim, c, paper->firsts);
 }
 
 static packing_body first_body(const packing_i_paper *paper, size_t n,
@@ -87,7 +68,7 @@ static packing_body first_body(const packing_i_paper *paper, size_t n,
 /* Body n comes from a random direction until it touches one of those before; 0: it misses. */
 static int arrive(packing_i_paper *paper, int dim, size_t n, packing_vec3 c[4])
 {
-  const packing_vec3 from = packing_i_paper_direction(&paper->turns, dim);
+  const packing_vec3 from = packing_i_front_direction(&paper->turns, dim);
   const packing_vec3 back = packing_i_scale(from, -1);
   double far = 0, least = HUGE_VAL;
   for (size_t m = 0; m <= n; m++)
@@ -236,7 +217,6 @@ packing_status packing_i_paper_start_at(packing_placer *placer, packing_vec3 at,
     if (*room)
       place(placer, c);
   }
-  paper->groups += (size_t)*room;
   return PACKING_OK;
 }
 

@@ -193,6 +193,7 @@ packing_status packing_i_front_pockets_start(packing_placer *placer,
   p->inward = def->direction == PACKING_FRONT_INWARD && isfinite(head->room);
   set_lengths(p);
   set_weights(p, def);
+  packing_i_stream_open(&p->turns, def->seed, def->stream, PACKING_PURPOSE_POSITION, 0);
   placer->method = p;
   placer->ops = &packing_i_front_pockets_ops;
   const size_t stood = placer->particles->count;

@@ -187,6 +187,7 @@ typedef struct packing_i_pockets {
   size_t oldest;   /* the next to be tried in their order */
   int reseeds;     /* tried in vain, in a row */
   packing_i_front_search search;
+  packing_i_stream turns; /* of the first group */
 } packing_i_pockets;
 
 static inline packing_i_pocket *packing_i_pocket_at(const packing_i_pockets *p,

@@ -237,7 +237,8 @@ static packing_status group_at(packing_i_pockets *p, const packing_vec3 *middle,
 }
 
 /* Three discs or four spheres at the innermost point, inward at a wall, of the radii in the middle
- * of the stock. *placed tells whether they found room. */
+ * of the stock, turned at random: of equal sizes nothing else differs by the seed. *placed tells
+ * whether they found room. */
 packing_status packing_i_front_seed_group(packing_i_pockets *p, int *placed)
 {
   packing_vec3 middle = p->front.innermost, about[4];
@@ -252,6 +253,7 @@ packing_status packing_i_front_seed_group(packing_i_pockets *p, int *placed)
   memcpy(r, stock->r + first, members * sizeof *r);
   if (!group_wanted(p, r, members) || !group(r, members, about))
     return PACKING_OK;
+  packing_i_front_turn_points(&p->turns, p->dim, about, members);
   for (size_t n = 0; n < members; n++)
     reach = fmax(reach, packing_i_norm(about[n]) + r[n]);
   for (int n = 0; p->inward && n < DIRECTIONS && !*placed; n++)

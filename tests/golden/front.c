@@ -71,12 +71,12 @@ static void pockets(void **state)
   (void)state;
   packing_front_def def;
   packing_front_def_init(&def);
-  check(&def, 0, UINT64_C(0x5e23a796a0ac481b));
-  check(&def, 2, UINT64_C(0x4ce8a11e25429e76));
+  check(&def, 0, UINT64_C(0xa7822a5dcacdd9ed));
+  check(&def, 2, UINT64_C(0x926c05e878f3bfd7));
   def.mode = PACKING_FRONT_FAST;
-  check(&def, 9, UINT64_C(0x457ff4536d8f6c6c));
+  check(&def, 9, UINT64_C(0x1ea79723ea9d9fca));
   def.direction = PACKING_FRONT_INWARD;
-  check(&def, 4, UINT64_C(0xfaaf3a02e6001bc2));
+  check(&def, 4, UINT64_C(0x74b61d3b937c171a));
 }
 
 /* Seed and stream matter. */

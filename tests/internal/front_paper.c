@@ -276,11 +276,11 @@ static void directions_are_uniform(void **state)
   double mean[3] = {0, 0, 0}, square[3] = {0, 0, 0}, q2[4] = {0, 0, 0, 0};
   const int draws = 20000;
   for (int i = 0; i < draws; i++) {
-    const packing_vec3 d = packing_i_paper_direction(&stream, 3);
+    const packing_vec3 d = packing_i_front_direction(&stream, 3);
     double q[4];
     const double v[3] = {d.x, d.y, d.z};
     assert_near(packing_i_norm(d), 1, 1e-14);
-    packing_i_paper_turn(&stream, 3, q);
+    packing_i_front_turn(&stream, 3, q);
     assert_near(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1, 1e-14);
     for (int k = 0; k < 3; k++) {
       mean[k] += v[k] / draws;

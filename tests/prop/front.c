@@ -221,8 +221,9 @@ static void in_periodic_cells(void **state)
                      (packing_front_direction)(way >> 1), store);
             const double least = dim == 2 ? 0.45 : 0.25;
             if (report.volume_fraction <= least)
-              print_message("# dim %d edge %g periodic %u way %d sizes %zu: %g, %zu\n", dim,
-                            l, periodic, way, s, report.volume_fraction, report.placed);
+              print_message("# dim %d edge %g periodic %u way %d sizes %zu: %g, %zu\n",
+                            dim, l, periodic, way, s, report.volume_fraction,
+                            report.placed);
             assert_true(report.placed >= 4);
             assert_true(report.volume_fraction > least);
             packing_particles_destroy(store);

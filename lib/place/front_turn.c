@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Random rotations and directions, of + - * / and sqrt. */
-#include "front_paper.h"
+#include "front_internal.h"
 
 /* A point of the unit disc; its squared radius. */
 static double disc(packing_i_stream *stream, double *x, double *y)
@@ -15,7 +15,7 @@ static double disc(packing_i_stream *stream, double *x, double *y)
 }
 
 /* G. Marsaglia, Ann. Math. Stat. 43, 645 (1972). */
-void packing_i_paper_turn(packing_i_stream *stream, int dim, double q[4])
+void packing_i_front_turn(packing_i_stream *stream, int dim, double q[4])
 {
   double x, y, s = disc(stream, &x, &y);
   const double scale = dim == 2 ? 1 / sqrt(s) : 1;
@@ -30,7 +30,7 @@ void packing_i_paper_turn(packing_i_stream *stream, int dim, double q[4])
   q[2] = y * sqrt(rest / s);
 }
 
-packing_vec3 packing_i_paper_direction(packing_i_stream *stream, int dim)
+packing_vec3 packing_i_front_direction(packing_i_stream *stream, int dim)
 {
   double x, y;
   const double s = disc(stream, &x, &y);
@@ -38,4 +38,20 @@ packing_vec3 packing_i_paper_direction(packing_i_stream *stream, int dim)
     return packing_i_vec(x / sqrt(s), y / sqrt(s), 0);
   const double w = 2 * sqrt(1 - s);
   return packing_i_vec(x * w, y * w, 1 - 2 * s);
+}
+
+void packing_i_front_turn_points(packing_i_stream *stream, int dim, packing_vec3 *point,
+                                 size_t count)
+{
+  double q[4];
+  packing_i_front_turn(stream, dim, q);
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  const packing_vec3 column[3] = {
+      {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+      {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+      {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
+  for (size_t n = 0; n < count; n++)
+    point[n] = packing_i_add(packing_i_scale(column[0], point[n].x),
+                             packing_i_add(packing_i_scale(column[1], point[n].y),
+                                           packing_i_scale(column[2], point[n].z)));
 }
