@@ -328,7 +328,7 @@ static inline double beyond2(double p, double lo, double cell, int c)
   return d * d;
 }
 
-/* A look around a centre: cells are listed, their bins asked for ahead, then read. */
+/* A look around a centre: bins are listed and asked for ahead, then read. */
 enum { AHEAD = 256 };
 typedef struct look {
   const packing_i_front_grid *grid;
@@ -337,38 +337,38 @@ typedef struct look {
   double reach;
   packing_i_front_halo *halo;
   size_t count;
-  uint32_t entry[AHEAD + 1]; /* of cells that are not empty */
-} look;
-
-static int read_bins(const look *l, const packing_i_front_bin *const *bin,
-                     const uint32_t *place, size_t count)
-{
-  return l->kernels->gather(bin, place, count, l->centre, l->reach, l->halo);
-}
-
-static int read_cells(look *l)
-{
   const packing_i_front_bin *bin[AHEAD];
   uint32_t place[AHEAD];
-  for (size_t n = 0; n < l->count; n++) {
-    const uint32_t b = l->entry[n] & ~MORE;
-    bin[n] = packing_i_front_bin_at(l->grid, b);
-    place[n] = b * PACKING_I_FRONT_WIDTH;
-    __builtin_prefetch(bin[n]->x);
-    __builtin_prefetch(bin[n]->y);
-    __builtin_prefetch(bin[n]->z);
-    __builtin_prefetch(bin[n]->r);
-  }
-  if (!read_bins(l, bin, place, l->count))
-    return 0;
-  for (size_t n = 0; n < l->count; n++)
-    for (uint32_t b = l->entry[n] & MORE ? bin[n]->next : 0; b != 0; b = bin[n]->next) {
-      bin[n] = packing_i_front_bin_at(l->grid, b);
-      place[n] = b * PACKING_I_FRONT_WIDTH;
-      if (!read_bins(l, bin + n, place + n, 1))
-        return 0;
-    }
+} look;
+
+static int read_bins(look *l)
+{
+  const size_t count = l->count;
   l->count = 0;
+  return l->kernels->gather(l->bin, l->place, count, l->centre, l->reach, l->halo);
+}
+
+static inline const packing_i_front_bin *list_bin(look *l, uint32_t b)
+{
+  const packing_i_front_bin *bin = packing_i_front_bin_at(l->grid, b);
+  __builtin_prefetch(bin->x);
+  __builtin_prefetch(bin->y);
+  __builtin_prefetch(bin->z);
+  __builtin_prefetch(bin->r);
+  l->bin[l->count] = bin;
+  l->place[l->count] = b * PACKING_I_FRONT_WIDTH;
+  return bin;
+}
+
+/* The bins of a cell after its first. */
+static int list_more(look *l, uint32_t b)
+{
+  for (b = packing_i_front_bin_at(l->grid, b)->next; b != 0;) {
+    if (l->count + PACKING_I_TILE_MOST >= AHEAD && !read_bins(l))
+      return 0;
+    b = list_bin(l, b)->next;
+    l->count++;
+  }
   return 1;
 }
 
@@ -379,11 +379,15 @@ static int list_row(look *l, uint32_t tile, int y, int z, int x0, int x1)
     const int n = l->grid->n[0];
     const int last = x1 < part(x, n) * n - 1 ? x1 : part(x, n) * n - 1;
     const uint32_t *cell = cell_at(l->grid, tile, x, y, z);
-    if (l->count + (size_t)(last - x + 1) > AHEAD && !read_cells(l))
+    if (l->count + PACKING_I_TILE_MOST >= AHEAD && !read_bins(l))
       return 0;
-    for (; x <= last; x++, cell++) { /* no branches: which are empty is hard to guess */
-      l->entry[l->count] = *cell;
+    for (; x <= last; x++, cell++) {
+      list_bin(
+          l,
+          *cell & ~MORE); /* bin 0 is there, and which cells are empty is hard to guess */
       l->count += *cell != 0;
+      if ((*cell & MORE) && !list_more(l, *cell & ~MORE))
+        return 0;
     }
   }
   return 1;
@@ -397,7 +401,9 @@ int packing_i_front_grid_gather(const packing_i_front_grid *grid,
   const packing_vec3 lo = grid->tile[tile].lo, per = grid->per_edge;
   const double far = reach + max_r;
   const double far2 = far * far;
-  look l; /* its array needs no zeros */
+  look l; /* its arrays need no zeros */
+  if (grid->chunks == 0) /* no sphere yet, nor bin 0 */
+    return 1;
   l.grid = grid;
   l.kernels = kernels;
   l.centre = centre;
@@ -421,5 +427,5 @@ int packing_i_front_grid_gather(const packing_i_front_grid *grid,
         return 0;
     }
   }
-  return read_cells(&l);
+  return read_bins(&l);
 }

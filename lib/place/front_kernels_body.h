@@ -146,7 +146,7 @@ TARGET static void solve(batch *b, double distance,
                        (lanes < ALL((double)(b->count - t)));
     unsigned bits = mask_bits(&meets);
     const size_t n = candidates->count, found = (size_t)__builtin_popcount(bits);
-    if (n + 2 * WIDTH > candidates->capacity)
+    if (n + (size_t)2 * WIDTH > candidates->capacity)
       break;
     vector w = MAX(left, zero) * over;
     take_root(&w);
