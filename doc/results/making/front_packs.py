@@ -61,10 +61,12 @@ def fixed_count(maker, whole, asked, spec, length, n, psd, mode, threads=1):
 def table2(maker, _):
     r, n = maker.length(CYLINDER_R), maker.number(CYLINDER_N, 50)
     rows = [["paper, Table 2", "", "25 400", "0.5439", "-", "5", "44.3", "573", "-", "-"]]
-    for mode in MODES:
-        pack = maker.front("--domain", cylinder(r), "--psd", NORMAL, "--mode", mode)
-        same = fixed_count(maker, pack, (), cylinder, r, n, NORMAL, mode)
-        rows += [[mode, "the container"] + row(pack), [mode, "the count"] + row(same)]
+    for mode, way in [(mode, "outward") for mode in MODES] + [("dense", "inward")]:
+        pack = maker.front("--domain", cylinder(r), "--psd", NORMAL, "--mode", mode, "--direction",
+                           way)
+        same = fixed_count(maker, pack, ("--direction", way), cylinder, r, n, NORMAL, mode)
+        name = f"{mode}, {way}"
+        rows += [[name, "the container"] + row(pack), [name, "the count"] + row(same)]
     return ("The sizes of Table 1 are lost: radii N(1, 0.1) cut to [0.7, 1.3] in a cylinder of "
             f"R = {CYLINDER_R}, H = 2 R are ours, for there 25 400 spheres are 0.5439. Filled at "
             "that container, and at the paper's count in a cylinder of the same shape that holds "
@@ -223,13 +225,14 @@ def bead_packs(maker, name, by, mode, more=(), packs=30):
     wide = 40 * mean_d * (maker.scale ** (1 / 3) if maker.scale < 1 else 1)
     domain = f"cylinder:{short(wide / 2)},{short(wide)}"
     psd = f"curve:{grown.DATA / f'{name}.csv'},by={by}"
-    made = []
-    for k in range(maker.number(packs)):
-        made.append(maker.front("--domain", domain, "--psd", psd, "--mode", mode, "--stream", str(k),
-                                *more, outs=(("--out", "pack.csv"),) if k == 0 else (),
-                                short=bool(more)))
-        if made[-1].stopped:
-            break
+
+    def make(k):
+        return maker.front("--domain", domain, "--psd", psd, "--mode", mode, "--stream", str(k),
+                           *more, outs=(("--out", "pack.csv"),) if k == 0 else (),
+                           short=bool(more))
+    made = [make(0)]
+    if not made[0].stopped:
+        made += maker.side_by_side(make, range(1, maker.number(packs)))
     return made
 
 

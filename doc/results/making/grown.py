@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs packing-front and its sisters one after the other, for they are timed, and keeps what they
+"""Runs packing-front and its sisters one after the other where they are timed, and keeps what they
 made: a run that was made once is not made again."""
+import concurrent.futures
 import csv
 import datetime
 import hashlib
@@ -108,6 +109,14 @@ class Maker:
         pack = Pack(folder, options)
         self.commands.append(pack)
         return pack
+
+    def side_by_side(self, make, which):
+        """Packs whose time does not matter, two at a time."""
+        noted = len(self.commands)
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            packs = list(pool.map(make, which))
+        self.commands[noted:] = packs
+        return packs
 
     def measure(self, pack, *options, outs=()):
         """What packing-measure says of a pack that was kept as pack.csv."""
