@@ -401,7 +401,7 @@ int packing_i_front_grid_gather(const packing_i_front_grid *grid,
   const packing_vec3 lo = grid->tile[tile].lo, per = grid->per_edge;
   const double far = reach + max_r;
   const double far2 = far * far;
-  look l; /* its arrays need no zeros */
+  look l;                /* its arrays need no zeros */
   if (grid->chunks == 0) /* no sphere yet, nor bin 0 */
     return 1;
   l.grid = grid;
