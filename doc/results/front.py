@@ -25,7 +25,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
 from making import front_packs, front_studies, grown, page  # noqa: E402
 
-PARTS = {**front_packs.PARTS, **front_studies.PARTS}
+PARTS = {"bars": front_studies.PARTS["bars"], **front_packs.PARTS, **front_studies.PARTS}
 
 
 def read_options():
@@ -73,6 +73,8 @@ def make_part(maker, name, fresh, arguments):
     seen = dict.fromkeys(f"{pack.command()}" for pack in maker.commands)
     lines = list(seen)
     more = [f"... and {len(lines) - 12} like these" for _ in (1,) if len(lines) > 12]
+    if not lines:
+        return body
     return body.rstrip() + "\n\n```\n" + "\n".join(lines[:12] + more) + "\n```\n"
 
 

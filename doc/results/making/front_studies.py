@@ -214,7 +214,17 @@ def short_square(maker):
     return f"rect:{edge:.6g},{edge:.6g}"
 
 
-PARTS = {"selections": ("Section 3.3: nine selections", selections),
+# ---- bars ----
+
+def bars(maker, _):
+    said = "".join(maker.bench(*words) for words in ((), ("table4",), ("exponent",)))
+    return ("What `bench-front`, `bench-front table4` and `bench-front exponent` print: rate, volume "
+            "fractions, sizes, overlap and memory together. Bytes are the most that store and placer "
+            f"held, for each particle placed.\n\n```\n{said}```\n")
+
+
+PARTS = {"bars": ("Bars", bars),
+         "selections": ("Section 3.3: nine selections", selections),
          "contacts": ("Section 3.4: four ways of contact", contacts),
          "time": ("Figure 11: time against particles", time),
          "fabric": ("Table 18: fabric", fabric),

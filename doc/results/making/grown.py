@@ -72,6 +72,7 @@ class Maker:
     def __init__(self, build, work, scale, limit):
         self.programs = {name: str(pathlib.Path(build) / "examples" / name) for name in
                          ("packing-front", "packing-measure", "packing-compare")}
+        self.programs["bench-front"] = str(pathlib.Path(build) / "tests" / "bench" / "bench-front")
         self.library = runs.library_hash(self.programs["packing-front"])
         self.work, self.scale, self.limit = pathlib.Path(work), scale, limit
         self.work.mkdir(parents=True, exist_ok=True)
@@ -149,6 +150,18 @@ class Maker:
         temporary = folder / "done.json.new"
         temporary.write_text(json.dumps(record) + "\n")
         temporary.rename(folder / "done.json")
+
+    def bench(self, *words):
+        """What bench-front prints. It is timed for its own sake: nothing is scaled."""
+        file = self.work / (self.key(["bench", *words], ()) + ".txt")
+        if not file.exists():
+            if not self.fresh or self.scale != 1:
+                raise NotThere
+            print("  " + shlex.join(["bench-front", *words]), file=sys.stderr, flush=True)
+            done = subprocess.run([self.programs["bench-front"], *words], capture_output=True,
+                                  text=True, check=True)
+            file.write_text(done.stdout)
+        return file.read_text()
 
     def run(self, command, limit):
         """Exit code and what was said; a run over the limit is told to stop, and leaves what it
