@@ -51,7 +51,7 @@ const struct argp_option front_options_table[] = {
      3},
     {"stock", KEY_STOCK, "N", 0,
      "fast, dense: radii drawn in advance, of which the one that fits best is taken "
-     "(default 64, dense 256)",
+     "(default 64, dense 256, fewer for small packs and very different sizes)",
      3},
     {NULL, 0, NULL, 0, "After placing:", 5},
     {"loosen", KEY_LOOSEN, "shrink|remove", 0,

@@ -9,11 +9,13 @@ int packing_isa_available(packing_isa isa)
     return 1;
 #if defined(__x86_64__) && defined(__GNUC__)
   case PACKING_ISA_AVX2:
-    return __builtin_cpu_supports("avx2") ? 1 : 0;
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("bmi2");
   case PACKING_ISA_AVX512:
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                    __builtin_cpu_supports("avx512dq") &&
-                   __builtin_cpu_supports("avx512vl")
+                   __builtin_cpu_supports("avx512vl") &&
+                   packing_isa_available(PACKING_ISA_AVX2)
                ? 1
                : 0;
 #else

@@ -18,8 +18,11 @@ static double signed_distance(const packing_i_domain_body *body,
 {
   const packing_i_meshed *m = &body->as.mesh;
   const double most = packing_i_surface_most_depth(m->surface, point);
-  const packing_i_nearest nearest =
+  packing_i_nearest nearest =
       packing_i_surface_nearest(m->surface, point, most * most, 0);
+  if (nearest.facet ==
+      PACKING_I_MESH_NONE) /* far from the origin the bound may be rounded off */
+    nearest = packing_i_surface_nearest(m->surface, point, HUGE_VAL, 0);
   if (nearest.facet == PACKING_I_MESH_NONE) { /* out of range */
     if (normal != NULL)
       *normal = packing_i_vec(0, 0, 0);

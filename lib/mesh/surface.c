@@ -2,7 +2,8 @@
 /* What queries lean on, made once: facets in the order of the tree, who is whose neighbour, and the
  * normals of edges and vertices that tell inside from outside (J. A. Baerentzen, H. Aanaes, IEEE
  * Trans. Vis. Comput. Graph. 11 (2005) 243): an edge takes the sum of its two normals, a vertex that
- * of its faces weighted by their angles. Linear; some 200 bytes a triangle. */
+ * of its faces weighted by their angles. Linear; some 450 bytes a triangle of a small mesh, 250 of a large
+ * one. */
 #include "mesh/surface_internal.h"
 #include <string.h>
 

@@ -85,7 +85,8 @@ typedef struct packing_i_front_kernels {
   /* a and b of the first `count` bodies, which are spheres. */
   void (*bodies)(packing_i_front_halo *halo, size_t count, double sphere_r);
   /* The bodies of a halo that a particle of radius r, `distance` from the sphere's centre, can
-   * touch, widest cap first; the body `plane` before all. Of x, y, z, square, top, reach, halo. */
+   * touch, widest cap first; the body `plane`, which it always touches, before all. Of x, y, z,
+   * square, top, reach, halo. Bodies beyond the capacity are left out. */
   void (*caps)(const packing_i_front_halo *halo, size_t plane, double r, double distance,
                packing_i_front_caps *caps);
   /* The two centres of each of the first `firsts` caps with each of the later ones, where they

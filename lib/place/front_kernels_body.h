@@ -64,17 +64,24 @@ TARGET static void bodies(packing_i_front_halo *halo, size_t count, double spher
   }
 }
 
-/* What could be touched at all; the body `plane` gets the smallest cosine. */
+/* What could be touched at all; the body `plane` first, with the smallest cosine. */
 TARGET static void list_caps(const packing_i_front_halo *halo, size_t plane, double r,
                              double distance, packing_i_front_caps *caps)
 {
   size_t n = 0;
+  if (plane != PACKING_I_FRONT_NO_BODY) {
+    caps->cosine[n] = -2;
+    caps->order[n++] = (uint32_t)plane;
+  }
+  const vector out = ALL((double)plane);
   for (size_t t = 0; t < halo->count && n + WIDTH <= caps->capacity; t += WIDTH) {
     const vector x = LOAD(halo->x + t), y = LOAD(halo->y + t), z = LOAD(halo->z + t);
+    const vector number = lanes + ALL((double)t);
     const vector square = x * x + y * y + z * z;
     const vector top = LOAD(halo->a + t) + LOAD(halo->b + t) * ALL(r);
     const mask meets = (top * top <= square * ALL(distance * distance)) &
-                       (square > ALL(0.0)) & (lanes < ALL((double)(halo->count - t)));
+                       (square > ALL(0.0)) & (number < ALL((double)halo->count)) &
+                       (number != out);
     const unsigned bits = mask_bits(&meets);
     vector root = square;
     take_root(&root);
@@ -83,9 +90,6 @@ TARGET static void list_caps(const packing_i_front_halo *halo, size_t plane, dou
     pack_numbers(caps->order + n, (uint32_t)t, bits);
     n += (size_t)__builtin_popcount(bits);
   }
-  for (size_t i = 0; i < n && plane != PACKING_I_FRONT_NO_BODY; i++)
-    if (caps->order[i] == plane)
-      caps->cosine[i] = -2;
   caps->count = n;
 }
 
@@ -128,7 +132,9 @@ typedef struct batch {
 TARGET static void solve(batch *b, double distance,
                          packing_i_front_candidates *candidates)
 {
-  const vector d2 = ALL(distance * distance), zero = ALL(0.0);
+  const vector d2 = ALL(distance * distance), zero = ALL(0.0), padding = ALL(1.0);
+  for (unsigned k = 0; k < 10; k++)
+    __builtin_memcpy(b->column[k] + b->count, &padding, sizeof padding);
   for (size_t t = 0; t < b->count; t += WIDTH) {
     const vector px = LOAD(b->column[0] + t), py = LOAD(b->column[1] + t),
                  pz = LOAD(b->column[2] + t), pp = LOAD(b->column[3] + t),

@@ -4,6 +4,7 @@
 
 enum {
   CANDIDATES = 8192,
+  CAPS = 1024,
   CURVES = 256,
   HEAP = 8192,
   OUTBOX = 2 * PACKING_I_POCKETS_SPARE,
@@ -39,11 +40,11 @@ static void lay_out(packing_i_front_lane *lane, carver *c, size_t halo_room)
   packing_i_front_caps *s = &lane->caps;
   double **cap[7] = {&s->x, &s->y, &s->z, &s->square, &s->top, &s->room, &s->reach};
   for (int k = 0; k < 7; k++)
-    *cap[k] = numbers(c, CURVES);
-  s->halo = carve(c, CURVES, sizeof *s->halo);
-  s->cosine = numbers(c, CURVES);
-  s->order = carve(c, CURVES, sizeof *s->order);
-  s->capacity = CURVES;
+    *cap[k] = numbers(c, CAPS);
+  s->halo = carve(c, CAPS, sizeof *s->halo);
+  s->cosine = numbers(c, CAPS);
+  s->order = carve(c, CAPS, sizeof *s->order);
+  s->capacity = CAPS;
   packing_i_front_candidates *n = &lane->candidates;
   n->x = numbers(c, CANDIDATES);
   n->y = numbers(c, CANDIDATES);

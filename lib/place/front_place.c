@@ -81,8 +81,9 @@ static int look(packing_i_pockets *p, packing_i_front_lane *lane, uint32_t tile,
 {
   lane->halo.count = 0;
   if (packing_i_front_grid_gather(&p->grid, p->kernels, tile, centre, reach, p->body_r,
-                                  &lane->halo))
-    return 1;
+                                  &lane->halo) &&
+      lane->halo.count + PACKING_I_NEAR_WALLS + 2 <= lane->halo.capacity)
+    return 1; /* with room for the plane and the walls */
   lane->starved = 2;
   return 0;
 }

@@ -185,9 +185,8 @@ static packing_vec3 climb(const packing_i_pockets *p, packing_vec3 c)
   return c;
 }
 
-/* Begins anew at c if a particle of radius r has room there. */
-static packing_status begin_at(packing_i_pockets *p, packing_vec3 c, double r,
-                               size_t zone, int *placed)
+static packing_status begin_there(packing_i_pockets *p, packing_vec3 c, double r,
+                                  size_t zone, int *placed)
 {
   int free;
   PACKING_I_TRY(packing_i_front_is_free(p, &c, r, &free));
@@ -208,6 +207,21 @@ static packing_status begin_at(packing_i_pockets *p, packing_vec3 c, double r,
   if (*placed && !p->inward)
     p->front.innermost = c;
   return PACKING_OK;
+}
+
+/* Begins anew at c if a particle of radius r has room there. Refused memory leaves no trace: the
+ * step may be repeated. */
+static packing_status begin_at(packing_i_pockets *p, packing_vec3 c, double r,
+                               size_t zone, int *placed)
+{
+  const packing_i_stream turns = p->turns;
+  const packing_vec3 innermost = p->front.innermost;
+  const packing_status status = begin_there(p, c, r, zone, placed);
+  if (status != PACKING_OK) {
+    p->turns = turns;
+    p->front.innermost = innermost;
+  }
+  return status;
 }
 
 static packing_status try_point(spot *s, packing_vec3 point, double half, int *placed)

@@ -121,8 +121,6 @@ void packing_i_pockets_shrink(packing_i_pockets *p, packing_i_front_lane *lane, 
     __builtin_prefetch(packing_i_pocket_at(p, bin->pockets[k]));
   }
   for (size_t t = 0; t < halo->count; t++) {
-    if (halo->id[t] & PACKING_I_FRONT_WALL)
-      break;
     unsigned k;
     const packing_i_front_bin *bin = packing_i_front_bin_of(&p->grid, halo->id[t], &k);
     if (bin->pockets[k] == 0)
