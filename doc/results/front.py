@@ -9,7 +9,7 @@ Morales, R. Rosello Valera, C. Recarey Morfa et al.
 Needs python3-numpy and python3-matplotlib. Runs go one after the other, for they are timed; what was
 made is kept in the work folder, keyed by the options and by the bytes of program and library, so an
 interrupted or partial run goes on where it was: `--only table2,table4` makes these parts, the others
-are written where all their packs are there. `--scale 0.001` tries everything in minutes, on packs of
+are written as they were made last. `--scale 0.001` tries everything in minutes, on packs of
 a thousandth of the particles; it writes into the work folder. What is said by hand stands in
 front-notes.md, one section a part.
 """
@@ -53,7 +53,7 @@ I. Perez Morales, R. Rosello Valera, C. Recarey Morfa et al., the seed paper of 
 the method is in [../methods/front.md](../methods/front.md). This file is written by
 `doc/results/front.py{scale}`; what is said by hand comes from `front-notes.md`.
 
-Machine: {page.machine()}. Date: {datetime.date.today()}. Source: {page.version(ROOT)}. Times are wall clock of
+Machine: {page.machine()}. Date: {datetime.date.today()}. Times are wall clock of
 placing alone (`time.place` of the report), one run, nothing beside it. N: particles placed. "Whole" is
 the volume fraction of the whole container, particles cut exactly at it; "inner" that of the part at
 least 3 r_max from every wall. Z: mean contacts of a particle with others (gap at most 1e-9 of
@@ -63,29 +63,28 @@ paper has lost are stood in for, and each part says by what.
 """
 
 
-def make_part(maker, name, fresh, arguments):
-    """The Markdown of a part; None where packs are missing."""
-    maker.fresh, maker.commands = fresh, []
-    try:
-        body = PARTS[name][1](maker, arguments)
-    except grown.NotThere:
-        return None
+def made_part(maker, name, arguments):
+    """The Markdown of a part, and of which source it is."""
+    maker.commands = []
+    body = PARTS[name][1](maker, arguments).rstrip()
     seen = dict.fromkeys(f"{pack.command()}" for pack in maker.commands)
     lines = list(seen)
     more = [f"... and {len(lines) - 12} like these" for _ in (1,) if len(lines) > 12]
-    if not lines:
-        return body
-    return body.rstrip() + "\n\n```\n" + "\n".join(lines[:12] + more) + "\n```\n"
+    if lines:
+        body += "\n\n```\n" + "\n".join(lines[:12] + more) + "\n```"
+    return f"{body}\n\nSource {page.version(ROOT)}, {datetime.date.today()}.\n"
 
 
-def write(maker, bodies, arguments):
+def write(maker, arguments):
     trial = arguments.scale != 1
     out = pathlib.Path(arguments.out) if arguments.out else (
         maker.work / "front.md" if trial else HERE / "front.md")
     notes, pieces = page.read_notes(HERE / "front-notes.md"), [head(arguments)]
     for name, (title, _) in PARTS.items():
-        body = bodies[name] or f"Not run: `doc/results/front.py --only {name}`.\n"
-        pieces += [f"## {title}\n", body]
+        body = maker.part(name)
+        pieces += [f"## {title}\n",
+                   body.read_text() if body.exists() else
+                   f"Not run: `doc/results/front.py --only {name}`.\n"]
         if name in notes:
             pieces.append(notes[name] + "\n")
     if "fuzzing" in notes:
@@ -109,12 +108,12 @@ def main():
                      "ninja -C build")
     maker.images = work / "images" if trial else ROOT / "doc" / "images"
     maker.images.mkdir(parents=True, exist_ok=True)
-    bodies = {}
     for name in PARTS:
         if name in wanted:
             print(name, file=sys.stderr)
-        bodies[name] = make_part(maker, name, name in wanted, arguments)
-    write(maker, bodies, arguments)
+            body = made_part(maker, name, arguments)
+            maker.part(name).write_text(body, encoding="utf-8")
+    write(maker, arguments)
 
 
 if __name__ == "__main__":

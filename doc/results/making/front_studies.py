@@ -217,7 +217,8 @@ def short_square(maker):
 # ---- bars ----
 
 def bars(maker, _):
-    said = "".join(maker.bench(*words) for words in ((), ("table4",), ("exponent",)))
+    asked = ((), ("table4",), ("exponent",)) if maker.scale == 1 else ((),)
+    said = "".join(maker.bench(*words) for words in asked)
     return ("What `bench-front`, `bench-front table4` and `bench-front exponent` print: rate, volume "
             "fractions, sizes, overlap and memory together. Bytes are the most that store and placer "
             f"held, for each particle placed.\n\n```\n{said}```\n")

@@ -77,8 +77,11 @@ class Maker:
         self.work, self.scale, self.limit = pathlib.Path(work), scale, limit
         self.work.mkdir(parents=True, exist_ok=True)
         self.values = {}
-        self.fresh = True  # False: what is not there yet stays away
         self.commands = []
+
+    def part(self, name):
+        """The file of a part of the page."""
+        return self.work / f"{name}.md"
 
     # ---- sizes of trials ----
 
@@ -129,8 +132,6 @@ class Maker:
         return Pack(folder, asked)
 
     def make(self, program, options, outs, folder, good):
-        if not self.fresh:
-            raise NotThere
         folder.mkdir(parents=True, exist_ok=True)
         command = [self.programs[program], *options, "--quiet", "--report",
                    str(folder / "report.json")]
@@ -152,11 +153,9 @@ class Maker:
         temporary.rename(folder / "done.json")
 
     def bench(self, *words):
-        """What bench-front prints. It is timed for its own sake: nothing is scaled."""
+        """What bench-front prints; a trial only has the usual."""
         file = self.work / (self.key(["bench", *words], ()) + ".txt")
         if not file.exists():
-            if not self.fresh or self.scale != 1:
-                raise NotThere
             print("  " + shlex.join(["bench-front", *words]), file=sys.stderr, flush=True)
             done = subprocess.run([self.programs["bench-front"], *words], capture_output=True,
                                   text=True, check=True)
@@ -185,7 +184,3 @@ class Maker:
         if done.returncode != 0:
             raise SystemExit(done.stderr)
         return done.stderr.strip()
-
-
-class NotThere(Exception):
-    """A run that is to be made later."""
