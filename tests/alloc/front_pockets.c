@@ -3,6 +3,7 @@
  * leaks, the store is as it was when nothing could be made, and valid when a step failed; a step
  * that failed can be repeated and gives the bytes of an undisturbed run. */
 #include "pocket_scenes.h"
+#include "solids.h"
 
 typedef struct made {
   packing_domain *domain;
@@ -26,6 +27,7 @@ typedef struct task {
   packing_front_direction direction;
   size_t count;
   int obstacles;
+  int chambers; /* more than one: beside the room stand others like it */
 } task;
 
 static const task tasks[] = {
@@ -35,13 +37,15 @@ static const task tasks[] = {
      PACKING_FRONT_DENSE,
      0,
      40,
-     1},
+     1,
+     0},
     {{SCENE_BOX, 5, 4.5, 4, 0, {0, 0, 0}, 2, 0, 7},
      0.3,
      0.7,
      PACKING_FRONT_FAST,
      0,
      40,
+     0,
      0},
     {{SCENE_CYLINDER, 3, 5, 0, 0, {0, 0, 0}, 2, 0, 0},
      0.3,
@@ -49,6 +53,7 @@ static const task tasks[] = {
      PACKING_FRONT_DENSE,
      1,
      40,
+     0,
      0},
     {{SCENE_RECTANGLE, 16, 15, 0, 0, {0, 0, 0}, 1, 0, 1},
      0.3,
@@ -56,6 +61,15 @@ static const task tasks[] = {
      PACKING_FRONT_DENSE,
      0,
      60,
+     2,
+     0},
+    {{SCENE_RECTANGLE, 6, 5, 0, 0, {0, 0, 0}, 1, 0, 0},
+     0.5,
+     0.5,
+     PACKING_FRONT_FAST,
+     0,
+     0,
+     0,
      2},
 };
 enum { TASKS = sizeof tasks / sizeof *tasks };
@@ -65,6 +79,11 @@ static made begin(const task *t)
 {
   made m = {0};
   m.domain = scene_make(&t->room);
+  for (int c = 1; c < t->chambers; c++) {
+    scene other = t->room;
+    other.at.x += 4 * c * t->room.a;
+    m.domain = solid_of(PACKING_UNION, m.domain, scene_make(&other));
+  }
   m.psd = t->min_r < t->max_r ? test_uniform(t->min_r, t->max_r) : test_mono(t->max_r);
   return m;
 }
@@ -181,6 +200,7 @@ static void lanes_go_on_after_a_failure(void **state)
                              0.7,
                              1.3,
                              PACKING_FRONT_FAST,
+                             0,
                              0,
                              0,
                              0};
