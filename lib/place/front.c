@@ -256,7 +256,7 @@ static size_t stock_of(const packing_front_def *d, const packing_domain *domain,
 {
   const double n = expected(d, domain, psd);
   const double most = d->mode == PACKING_FRONT_FAST ? STOCK_FAST : STOCK_DENSE;
-  double share = sqrt(n);
+  double share = (packing_domain_dim(domain) == 2 ? 0.6 : 1) * sqrt(n);
   if (d->mode == PACKING_FRONT_PAPER)
     return 1;
   if (d->stock != 0)
