@@ -115,8 +115,10 @@ static inline void packing_front_def_init(packing_front_def *def)
  *  two neighbours of it (one in 2D), the first place in contact with the three that is inside
  *  and free; a front particle without any is dropped, the pending particle stays. Outward it
  *  starts with three discs or four spheres in contact, the mean of their centres at the innermost
- *  point; where they have no room, at the walls. Inward the whole boundary is covered first. With
- *  a shape the store gets the column of orientations.
+ *  point; where they have no room, at the walls. When the front has run out, it begins again with
+ *  such a group wherever the container is still empty, then at the walls, if there is room for a
+ *  particle far from all others. Inward the whole boundary is covered first. With a shape the
+ *  store gets the column of orientations.
  *
  *  Fast and dense: the places are kept as pockets, triples of bodies with the interval of radii
  *  that fit between them, and the next pocket and its radius are chosen by how well they match;

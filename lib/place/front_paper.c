@@ -31,11 +31,6 @@ static const double most_filled = 0.62, most_filled_2d = 0.9;
 static void finish(packing_placer *placer, packing_placer_state state)
 {
   packing_i_paper *paper = placer->method;
-  for (; paper->first_next < paper->firsts; paper->first_next++) {
-    const packing_i_paper_pending *pending = &paper->first[paper->first_next];
-    packing_i_source_return(paper->front.source, paper->first_zone, pending->r,
-                            pending->component);
-  }
   for (size_t z = 0; z < paper->zones; z++) {
     packing_i_paper_pending *pending = &paper->pending[z];
     if (pending->r > 0)
@@ -53,26 +48,28 @@ int packing_i_paper_draw(packing_placer *placer, size_t zone,
 {
   packing_i_paper *paper = placer->method;
   const int dim = placer->particles->dim;
+  pending->r = 0;
   if (!packing_i_front_wants(&paper->front, tally, 0) ||
       !packing_i_source_next(paper->front.source, zone, &pending->r, &pending->component))
     return 0;
   pending->volume = packing_shape_volume(paper->shape, pending->r, dim);
   if (paper->shape != NULL)
     packing_i_front_turn(&paper->turns, dim, pending->orientation);
-  return packing_i_front_wants(&paper->front, tally, pending->volume);
+  if (packing_i_front_wants(&paper->front, tally, pending->volume))
+    return 1;
+  packing_i_source_return(paper->front.source, zone, pending->r, pending->component);
+  pending->r = 0;
+  return 0;
 }
 
 packing_i_paper_pending *packing_i_paper_next(packing_placer *placer, size_t zone)
 {
   packing_i_paper *paper = placer->method;
   packing_i_paper_pending *pending = &paper->pending[zone];
-  if (pending->r > 0)
-    return pending;
-  if (paper->first_next < paper->firsts && zone == paper->first_zone) {
-    *pending = paper->first[paper->first_next++];
-    return pending;
-  }
-  if (packing_i_paper_draw(placer, zone, &placer->tally, pending))
+  /* Since it was drawn, particles of other zones may have reached the goal. */
+  if (pending->r > 0
+          ? packing_i_front_wants(&paper->front, &placer->tally, pending->volume)
+          : packing_i_paper_draw(placer, zone, &placer->tally, pending))
     return pending;
   finish(placer, PACKING_PLACER_DONE);
   return NULL;
@@ -343,6 +340,9 @@ static packing_status start(packing_placer *placer)
 {
   packing_i_paper *paper = placer->method;
   int started = 0;
+  /* Room for all of the list first: what follows a group that stands must not fail. */
+  PACKING_I_TRY(packing_i_front_list_reserve(&paper->list, placer->context,
+                                             placer->particles->count + 8));
   if (paper->direction == PACKING_FRONT_OUTWARD) {
     PACKING_I_TRY(packing_i_paper_start_outward(placer, &started));
     if (placer->tally.state != PACKING_PLACER_RUNNING)

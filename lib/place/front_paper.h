@@ -101,8 +101,8 @@ typedef struct packing_i_paper {
   packing_i_paper_phase phase;
   packing_i_paper_scan scan;
   packing_i_paper_walk walk;
-  packing_i_paper_pending first[4]; /* drawn for the start, of the zone below */
-  size_t firsts, first_next, first_zone;
+  packing_i_paper_pending first[4]; /* of a group being tried, of the zone below */
+  size_t firsts, first_zone;
   packing_i_paper_again again;
   size_t before;   /* particles that stood in the store */
   double rounding; /* unit of the container's coordinates */
@@ -127,12 +127,13 @@ typedef enum packing_i_paper_answer {
 /* Whether a particle would overlap its own periodic image. */
 int packing_i_paper_meets_itself(const packing_placer *placer, double r);
 
-/* Draws a particle, if one is still asked for after those of the tally; 0: none is. */
+/* Draws a particle, if one is still asked for after those of the tally; 0: none is, and r is 0. */
 int packing_i_paper_draw(packing_placer *placer, size_t zone,
                          const packing_placer_report *tally,
                          packing_i_paper_pending *pending);
 
-/* The pending particle of a zone, drawn when there is none; NULL: the run has ended. */
+/* The pending particle of a zone, drawn when there is none; NULL: no more is asked for, the run has
+ * ended. */
 packing_i_paper_pending *packing_i_paper_next(packing_placer *placer, size_t zone);
 
 /* Room for `count` particles of radius up to r: then packing_i_paper_put() cannot fail. */
@@ -200,10 +201,11 @@ int packing_i_paper_settle(const packing_i_paper *paper, double r,
 packing_status packing_i_paper_loose(packing_placer *placer,
                                      packing_i_paper_answer *answer);
 
-/* Step 1, outward. *started 0: there is no room for it. */
+/* Step 1, outward. *started 0: there is no room for it. On failure nothing has happened. */
 packing_status packing_i_paper_start_outward(packing_placer *placer, int *started);
 
-/* Step 1 once more: a group with the mean of its centres at a point; *room 0: there is none. */
+/* Step 1 once more: a group with the mean of its centres at a point; *room 0: there is none, what
+ * was drawn is the next to be drawn again. On failure nothing has happened. */
 packing_status packing_i_paper_start_at(packing_placer *placer, packing_vec3 at,
                                         int *room);
 

@@ -85,7 +85,7 @@ packing_status packing_i_paper_look(packing_placer *placer,
     return PACKING_OK;
   }
   const packing_i_paper_cell *cell = &walk->cell[walk->cells - 1];
-  paper->work += 30;
+  paper->work += 60;
   if (!may_have(placer, cell, most)) {
     walk->cells--;
     return PACKING_OK;

@@ -53,6 +53,9 @@ static void fill_bodies(packing_i_paper *paper)
 {
   packing_i_paper_scan *scan = &paper->scan;
   const size_t count = scan->near.count;
+  scan->bodies = 0;
+  if (count == 0) /* there may be no arrays yet */
+    return;
   packing_i_ring_body *unsorted = scan->body + scan->capacity;
   for (size_t l = 0; l < count; l++) {
     const packing_i_index_image *image = &scan->near.at[l];
@@ -60,12 +63,12 @@ static void fill_bodies(packing_i_paper *paper)
     scan->rank[l] = (packing_i_rank){unsorted[l].cosine, l};
   }
   packing_i_paper_sort(scan->rank, count);
-  scan->bodies = 0;
   for (size_t l = 0; l < count; l++) {
     const packing_i_ring_body *body = &unsorted[scan->rank[l].index];
     if (!is_hidden(scan->body, scan->bodies, body))
       scan->body[scan->bodies++] = *body;
   }
+  paper->work += count * scan->bodies / 4;
 }
 
 /* Whether no place on the ring of body j is free of the bodies at hand. */

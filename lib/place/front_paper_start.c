@@ -9,7 +9,7 @@
  * from random directions. */
 #include "front_paper.h"
 
-enum { TURNS = 64 };
+enum { TURNS = 64, WORK_A_TURN = 400 };
 
 /* Two spheres that touch spheres a and b, themselves touching, in the plane of e and f. */
 static packing_vec3 beside_two(double r_a, double r_b, double r)
@@ -153,11 +153,9 @@ static void draw_first(packing_placer *placer, packing_vec3 at)
   packing_i_paper *paper = placer->method;
   const size_t most = (size_t)placer->particles->dim + 1;
   packing_placer_report tally = placer->tally;
-  packing_i_paper_pending drawn;
-  paper->firsts = paper->first_next = 0;
+  paper->firsts = 0;
   paper->first_zone = packing_i_source_zone(paper->front.source, &at);
-  drawn = paper->pending[paper->first_zone];
-  paper->pending[paper->first_zone].r = 0;
+  packing_i_paper_pending drawn = paper->pending[paper->first_zone];
   while (
       paper->firsts < most &&
       (drawn.r > 0 || packing_i_paper_draw(placer, paper->first_zone, &tally, &drawn))) {
@@ -168,26 +166,47 @@ static void draw_first(packing_placer *placer, packing_vec3 at)
   }
 }
 
+/* The group found no place: what was drawn goes back, the largest to be the next; the pending
+ * particle, the first of those of its size, stays so. */
+static void give_back(packing_i_paper *paper)
+{
+  const double waiting = paper->pending[paper->first_zone].r;
+  for (size_t n = paper->firsts; n-- > 0;) {
+    const packing_i_paper_pending *first = &paper->first[n];
+    if (first->r != waiting || (n > 0 && first[-1].r == waiting))
+      packing_i_source_return(paper->front.source, paper->first_zone, first->r,
+                              first->component);
+  }
+}
+
 static void place(packing_placer *placer, const packing_vec3 c[4])
 {
   packing_i_paper *paper = placer->method;
-  while (paper->first_next < paper->firsts) {
-    const size_t n = paper->first_next++;
+  for (size_t n = 0; n < paper->firsts; n++) {
     paper->pending[paper->first_zone] = paper->first[n];
     packing_i_paper_put(placer, c[n], paper->first_zone);
   }
 }
 
-/* One particle at the innermost point. */
-static packing_status place_one(packing_placer *placer)
+/* Places the group where one of the turns has room for it. */
+static packing_status place_group(packing_placer *placer, packing_vec3 at, int *room)
 {
   packing_i_paper *paper = placer->method;
-  const packing_body body = first_body(paper, 0, paper->front.innermost);
-  int is_free = 0;
-  if (!packing_i_paper_meets_itself(placer, body.r))
-    PACKING_I_TRY(packing_i_paper_free(placer, &body, &paper->scan.near, &is_free));
-  if (is_free && packing_i_paper_next(placer, paper->first_zone) != NULL)
-    packing_i_paper_put(placer, paper->front.innermost, paper->first_zone);
+  const int dim = placer->particles->dim;
+  for (size_t n = 0; n < paper->firsts; n++)
+    PACKING_I_TRY(packing_i_paper_reserve(placer, paper->firsts, paper->first[n].r));
+  for (int k = 0; k < TURNS && !*room && paper->firsts > 0; k++) {
+    packing_vec3 c[4] = {{0, 0, 0}};
+    paper->work += WORK_A_TURN;
+    if (paper->shape == NULL)
+      turned_group(paper, dim, c);
+    else if (!gathered_group(paper, dim, c))
+      continue;
+    shift(paper, at, c);
+    PACKING_I_TRY(has_room(placer, c, room));
+    if (*room)
+      place(placer, c);
+  }
   return PACKING_OK;
 }
 
@@ -195,38 +214,50 @@ packing_status packing_i_paper_start_at(packing_placer *placer, packing_vec3 at,
                                         int *room)
 {
   packing_i_paper *paper = placer->method;
-  const int dim = placer->particles->dim;
-  *room = 0;
-  if (paper->firsts == paper->first_next)
-    draw_first(placer, at);
-  for (size_t n = 0; n < paper->firsts; n++)
-    PACKING_I_TRY(packing_i_paper_reserve(placer, paper->firsts, paper->first[n].r));
   const packing_i_stream before = paper->turns;
-  for (int k = 0; k < TURNS && !*room && paper->firsts > 0; k++) {
-    packing_vec3 c[4] = {{0, 0, 0}};
-    if (paper->shape == NULL)
-      turned_group(paper, dim, c);
-    else if (!gathered_group(paper, dim, c))
-      continue;
-    shift(paper, at, c);
-    const packing_status status = has_room(placer, c, room);
-    if (status != PACKING_OK) {
-      paper->turns = before;
-      return status;
-    }
-    if (*room)
-      place(placer, c);
+  *room = 0;
+  draw_first(placer, at);
+  const packing_status status = place_group(placer, at, room);
+  if (!*room)
+    give_back(paper);
+  if (status != PACKING_OK)
+    paper->turns = before;
+  return status;
+}
+
+/* One particle at the innermost point. */
+static packing_status place_one(packing_placer *placer)
+{
+  packing_i_paper *paper = placer->method;
+  const packing_vec3 at = paper->front.innermost;
+  const size_t zone = packing_i_source_zone(paper->front.source, &at);
+  packing_i_paper_pending *pending = packing_i_paper_next(placer, zone);
+  if (pending == NULL || packing_i_paper_meets_itself(placer, pending->r))
+    return PACKING_OK;
+  const packing_body body = packing_i_paper_mobile(paper, zone, at);
+  int is_free;
+  const packing_status status =
+      packing_i_paper_free(placer, &body, &paper->scan.near, &is_free);
+  if (status == PACKING_OK && is_free) {
+    packing_i_paper_put(placer, at, zone);
+  } else if (status != PACKING_OK) {
+    packing_i_source_return(paper->front.source, zone, pending->r, pending->component);
+    pending->r = 0;
   }
-  return PACKING_OK;
+  return status;
 }
 
 packing_status packing_i_paper_start_outward(packing_placer *placer, int *started)
 {
   packing_i_paper *paper = placer->method;
+  const packing_i_stream before = paper->turns;
   int room;
   PACKING_I_TRY(packing_i_paper_start_at(placer, paper->front.innermost, &room));
   *started = room || paper->before > 0 || !isfinite(paper->front.room);
-  if (!room && !isfinite(paper->front.room) && paper->firsts > 0)
-    return place_one(placer);
-  return PACKING_OK;
+  if (room || isfinite(paper->front.room))
+    return PACKING_OK;
+  const packing_status status = place_one(placer);
+  if (status != PACKING_OK)
+    paper->turns = before;
+  return status;
 }

@@ -171,6 +171,6 @@ size_t packing_i_source_unplaced(const packing_i_source *source)
 {
   size_t count = source->zone[0].list.unplaced;
   for (size_t i = 0; i < source->zones; i++)
-    count += (size_t)(source->zone[i].returned && !source->zone[i].listed);
+    count += source->zone[i].listed ? 0 : source->zone[i].returned;
   return count;
 }

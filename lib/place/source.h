@@ -15,7 +15,11 @@
 #include <packing/domain.h>
 #include <packing/front.h>
 
-enum { PACKING_I_STOCK_BINS = 8, PACKING_I_STOCK_MOST = 4096 };
+enum {
+  PACKING_I_STOCK_BINS = 8,
+  PACKING_I_STOCK_MOST = 4096,
+  PACKING_I_RETURNS = 8 /* more than a first group, and one that the goal refused */
+};
 
 /* The radii at hand in one zone, rising. Read freely; changed by packing_i_source_take() only. */
 typedef struct packing_i_stock {
@@ -67,8 +71,8 @@ void packing_i_source_take(packing_i_source *source, size_t zone, size_t index, 
  * drew); 0: the list has come to its end. */
 int packing_i_source_next(packing_i_source *source, size_t zone, double *r,
                           size_t *component);
-/* Puts the radius that was drawn last back: it could not be placed. It is the next that
- * packing_i_source_next() gives; one at a time. */
+/* Puts a radius that was drawn back: it could not be placed. The last put back is the next that
+ * packing_i_source_next() gives. At most PACKING_I_RETURNS of a zone are back at a time. */
 void packing_i_source_return(packing_i_source *source, size_t zone, double r,
                              size_t component);
 

@@ -207,10 +207,10 @@ void packing_i_zone_take(packing_i_zone *zone, size_t index, double *r, size_t *
 
 int packing_i_zone_next(packing_i_zone *zone, double *r, size_t *component)
 {
-  if (zone->returned) {
-    zone->returned = 0;
-    *r = zone->returned_r;
-    *component = zone->returned_component;
+  if (zone->returned > 0) {
+    zone->returned--;
+    *r = zone->returned_r[zone->returned];
+    *component = zone->returned_component[zone->returned];
     count_taken(zone, *component);
     return 1;
   }
@@ -225,9 +225,9 @@ int packing_i_zone_next(packing_i_zone *zone, double *r, size_t *component)
 
 void packing_i_zone_return(packing_i_zone *zone, double r, size_t component)
 {
-  zone->returned = 1;
-  zone->returned_r = r;
-  zone->returned_component = component;
+  zone->returned_r[zone->returned] = r;
+  zone->returned_component[zone->returned] = component;
+  zone->returned++;
   if (zone->listed) {
     zone->list.left[component]++;
     zone->list.unplaced++;

@@ -16,9 +16,9 @@ typedef struct packing_i_zone {
   double *upto;             /* share up to each part, by number */
   int listed;
   packing_i_list list;
-  int returned; /* 1: the radius below came back */
-  double returned_r;
-  size_t returned_component;
+  size_t returned; /* radii that came back; the last is the next to go out */
+  double returned_r[PACKING_I_RETURNS];
+  size_t returned_component[PACKING_I_RETURNS];
 } packing_i_zone;
 
 /* Where the numbers of a zone come from. */

@@ -26,7 +26,22 @@ typedef struct setting {
   int round, list, cluster;
   packing_front_direction direction;
   packing_front_select select;
+  int stands; /* particles stand in the store */
 } setting;
+
+/* Some 300 small ones at the floor: more than the list of the front has to spare. */
+static packing_status add_floor(packing_particles *store)
+{
+  for (int i = 0; i < 7; i++)
+    for (int j = 0; j < 7; j++)
+      for (int k = 0; k < 6; k++) {
+        const packing_vec3 at = {0.6 + 1.3 * i, 0.6 + 1.3 * j, 0.3 + 0.25 * k};
+        const packing_status status = packing_particles_add(store, at, 0.1, NULL);
+        if (status != PACKING_OK)
+          return status;
+      }
+  return PACKING_OK;
+}
 
 static packing_status make(packing_context *context, const setting *set, made *m)
 {
@@ -66,6 +81,8 @@ static packing_status make(packing_context *context, const setting *set, made *m
   }
   if (status == PACKING_OK)
     status = packing_particles_create(context, NULL, &m->store);
+  if (status == PACKING_OK && set->stands)
+    status = add_floor(m->store);
   if (status == PACKING_OK)
     status = packing_front_create(context, &def, m->domain, m->psd, m->store, &m->placer);
   return status;
@@ -85,10 +102,11 @@ static packing_status run(made *m, uint64_t *hash)
 }
 
 static const setting settings[] = {
-    {0, 0, 0, PACKING_FRONT_OUTWARD, PACKING_FRONT_RANDOM},
-    {1, 0, 0, PACKING_FRONT_INWARD, PACKING_FRONT_FIFO},
-    {0, 1, 0, PACKING_FRONT_INWARD, PACKING_FRONT_LIFO},
-    {0, 0, 1, PACKING_FRONT_OUTWARD, PACKING_FRONT_RANDOM},
+    {0, 0, 0, PACKING_FRONT_OUTWARD, PACKING_FRONT_RANDOM, 0},
+    {1, 0, 0, PACKING_FRONT_INWARD, PACKING_FRONT_FIFO, 0},
+    {0, 1, 0, PACKING_FRONT_INWARD, PACKING_FRONT_LIFO, 0},
+    {0, 0, 1, PACKING_FRONT_OUTWARD, PACKING_FRONT_RANDOM, 0},
+    {0, 0, 0, PACKING_FRONT_OUTWARD, PACKING_FRONT_RANDOM, 1},
 };
 
 static packing_status scenario(packing_context *context, uint64_t *hash, size_t k)
@@ -121,6 +139,11 @@ static packing_status clusters(packing_context *context, uint64_t *hash)
   return scenario(context, hash, 3);
 }
 
+static packing_status above_a_floor(packing_context *context, uint64_t *hash)
+{
+  return scenario(context, hash, 4);
+}
+
 static void every_request_fails_once(void **state)
 {
   (void)state;
@@ -128,6 +151,7 @@ static void every_request_fails_once(void **state)
   assert_true(test_every_allocation(inward) >= 15);
   assert_true(test_every_allocation(listed) >= 15);
   assert_true(test_every_allocation(clusters) >= 15);
+  assert_true(test_every_allocation(above_a_floor) >= 15);
 }
 
 /* The k-th request of stepping fails; stepping on gives the pack of an undisturbed run. */

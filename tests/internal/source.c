@@ -391,6 +391,40 @@ static void a_radius_that_came_back_is_next(void **state)
   packing_psd_destroy(psd);
 }
 
+/* Several at a time, of a distribution and of a list: the last is the first to go out again. */
+static void several_come_back(void **state)
+{
+  (void)state;
+  enum { MOST = PACKING_I_RETURNS, ALL = 12 };
+  packing_psd *psd = test_uniform(1, 2);
+  const packing_front_class classes[] = {{1, ALL / 2}, {2, ALL / 2}};
+  packing_front_def def = {.seed = 1};
+  packing_i_source *of_law = make(&def, psd, 1);
+  def.classes = classes;
+  def.class_count = 2;
+  packing_i_source *of_list = make(&def, NULL, 1);
+  packing_i_source *sources[] = {of_law, of_list};
+  for (int k = 0; k < 2; k++) {
+    double r[MOST], again;
+    size_t c[MOST], same;
+    for (size_t n = 0; n < MOST; n++)
+      assert_true(packing_i_source_next(sources[k], 0, &r[n], &c[n]));
+    const size_t left = packing_i_source_unplaced(sources[k]);
+    assert_int_equal(left, k == 0 ? 0 : ALL - MOST);
+    for (size_t n = 0; n < MOST; n++) {
+      packing_i_source_return(sources[k], 0, r[n], c[n]);
+      assert_int_equal(packing_i_source_unplaced(sources[k]), left + n + 1);
+    }
+    for (size_t n = MOST; n-- > 0;) {
+      assert_true(packing_i_source_next(sources[k], 0, &again, &same));
+      assert_true(again == r[n] && same == c[n]);
+      assert_int_equal(packing_i_source_unplaced(sources[k]), left + n);
+    }
+    packing_i_source_destroy(sources[k]);
+  }
+  packing_psd_destroy(psd);
+}
+
 /* Thirds along x; 99 stands for a careless user. */
 static size_t thirds(void *user, const packing_vec3 *centre)
 {
@@ -629,6 +663,7 @@ int main(void)
       cmocka_unit_test(a_list_is_used_up),
       cmocka_unit_test(a_list_of_single_radii),
       cmocka_unit_test(a_radius_that_came_back_is_next),
+      cmocka_unit_test(several_come_back),
       cmocka_unit_test(zones_have_their_own_sizes),
       cmocka_unit_test(scaling_by_powers_of_two_changes_no_bit),
       cmocka_unit_test(seeds_and_streams_differ),

@@ -354,6 +354,13 @@ static void regions(void **state)
       *(is_small ? &small : &large) += 1;
     }
     assert_true(small > 300 && large > 80);
+    for (def.count = 5; def.count < 60; def.count += 7) { /* and no more than asked for */
+      packing_particles *few = test_store(3);
+      const packing_placer_report report = front_pack(&def, domain, coarse, few);
+      assert_int_equal(report.state, PACKING_PLACER_DONE);
+      assert_int_equal(report.placed, def.count);
+      packing_particles_destroy(few);
+    }
   }
   assert_true(test_hash_particles(stores[0]) == test_hash_particles(stores[1]));
   for (int way = 0; way < 2; way++)
@@ -412,6 +419,8 @@ static void where_the_start_has_no_room(void **state)
     const packing_placer_report report = front_pack(&def, domain, psd, store);
     assert_int_equal(report.state, PACKING_PLACER_SATURATED);
     assert_true(report.placed >= least[k]);
+    if (k == 3) /* four are drawn, one is placed */
+      assert_int_equal(report.placed + report.unplaced, 4);
     packing_particles_destroy(store);
     packing_psd_destroy(psd);
     packing_domain_destroy(domain);
@@ -476,6 +485,108 @@ static void each_chamber_begins_with_a_group(void **state)
       packing_psd_destroy(psd);
       packing_domain_destroy(domain);
     }
+}
+
+/* Two chambers, x < 14 and x > 20; a sphere stands in the first, where the innermost point is, and
+ * leaves room for nothing of radius 1.92. */
+static packing_domain *obstructed(packing_particles *store)
+{
+  assert_ok(packing_particles_add(store, at(7, 7, 7), 6.9, NULL));
+  return solid_of(PACKING_UNION, solid_box(14, 14, 14, 0, 0, 0),
+                  solid_box(13, 13, 13, 20, 0, 0));
+}
+
+/* The first group of a list has no room, one of it waits for a place, and the second group has room
+ * elsewhere: all of the list is placed or told. */
+static void a_group_without_room_is_not_lost(void **state)
+{
+  (void)state;
+  for (uint64_t seed = 1; seed < 9; seed++)
+    for (size_t count = 10; count < 300; count += 190) {
+      const packing_front_class classes[2] = {{2, 2}, {1.95, count - 2}};
+      packing_particles *store = test_store(3);
+      packing_domain *domain = obstructed(store);
+      packing_placer *placer = NULL;
+      packing_front_def def = front_paper();
+      size_t left[2];
+      def.classes = classes;
+      def.class_count = 2;
+      def.seed = seed;
+      assert_ok(packing_front_create(NULL, &def, domain, NULL, store, &placer));
+      const packing_placer_report report = test_run(placer);
+      assert_ok(packing_front_unplaced(placer, left));
+      assert_int_equal(report.placed + left[0] + left[1], count);
+      assert_int_equal(report.placed + report.unplaced, count);
+      assert_int_equal(report.state,
+                       count == 10 ? PACKING_PLACER_DONE : PACKING_PLACER_SATURATED);
+      assert_true(report.placed >= 10 && report.placed < 50);
+      assert_int_equal(front_contacts(domain, store), 3 * report.placed - 6);
+      packing_placer_destroy(placer);
+      packing_particles_destroy(store);
+      packing_domain_destroy(domain);
+    }
+}
+
+static size_t chamber(void *user, const packing_vec3 *centre)
+{
+  (void)user;
+  return centre->x < 17 ? 0 : 1;
+}
+
+/* What waits in a region without room does not keep a group from another region. */
+static void each_region_begins_with_a_group_of_its_own(void **state)
+{
+  (void)state;
+  packing_psd *coarse = test_mono(2), *fine = test_mono(1.5);
+  const packing_front_region region = {NULL, fine};
+  for (uint64_t seed = 1; seed < 5; seed++) {
+    packing_particles *store = test_store(3);
+    packing_domain *domain = obstructed(store);
+    packing_front_def def = front_paper();
+    def.regions = &region;
+    def.region_count = 1;
+    def.choose = chamber;
+    def.seed = seed;
+    const packing_placer_report report = front_pack(&def, domain, coarse, store);
+    assert_int_equal(report.state, PACKING_PLACER_SATURATED);
+    assert_true(report.placed > 30);
+    for (size_t i = 1; i <= report.placed; i++)
+      assert_true(front_centre(store, i).x > 20 && front_radius(store, i) == 1.5);
+    assert_int_equal(front_contacts(domain, store), 3 * report.placed - 6);
+    assert_int_equal(report.unplaced,
+                     5); /* four of the first region, one of the second */
+    packing_particles_destroy(store);
+    packing_domain_destroy(domain);
+  }
+  packing_psd_destroy(coarse);
+  packing_psd_destroy(fine);
+}
+
+/* A list whose end comes after the volume asked for: what the goal refused is still there. */
+static void a_goal_leaves_the_rest_of_a_list(void **state)
+{
+  (void)state;
+  const packing_front_class classes[2] = {{1.1, 30}, {0.7, 30}};
+  packing_domain *domain = test_box(14, 14, 14, 0);
+  for (double fraction = 0.0005; fraction < 0.03; fraction *= 1.4)
+    for (uint64_t seed = 1; seed < 5; seed++) {
+      packing_particles *store = test_store(3);
+      packing_placer *placer = NULL;
+      packing_front_def def = front_paper();
+      size_t left[2];
+      def.classes = classes;
+      def.class_count = 2;
+      def.volume_fraction = fraction;
+      def.seed = seed;
+      assert_ok(packing_front_create(NULL, &def, domain, NULL, store, &placer));
+      const packing_placer_report report = test_run(placer);
+      assert_int_equal(report.state, PACKING_PLACER_DONE);
+      assert_ok(packing_front_unplaced(placer, left));
+      assert_int_equal(report.placed + left[0] + left[1], 60);
+      packing_placer_destroy(placer);
+      packing_particles_destroy(store);
+    }
+  packing_domain_destroy(domain);
 }
 
 /* Sizes up to 20 to 1, no two equal and most of them small: the law holds, and the list is placed to
@@ -639,6 +750,9 @@ int main(void)
       cmocka_unit_test(where_the_start_has_no_room),
       cmocka_unit_test(a_front_that_runs_out_begins_again_at_the_walls),
       cmocka_unit_test(each_chamber_begins_with_a_group),
+      cmocka_unit_test(a_group_without_room_is_not_lost),
+      cmocka_unit_test(each_region_begins_with_a_group_of_its_own),
+      cmocka_unit_test(a_goal_leaves_the_rest_of_a_list),
       cmocka_unit_test(wide_gradings_follow_the_law),
       cmocka_unit_test(a_particle_that_cannot_fit),
       cmocka_unit_test(three_decades_of_radii),
