@@ -2,6 +2,7 @@
 """Packs beside those of the paper's tables. Each function takes the Maker and the arguments, and
 returns Markdown."""
 import math
+import os
 
 import numpy
 
@@ -121,7 +122,7 @@ def loosen(maker, _):
 
 # ---- Tables 5 and 6: a silo ----
 
-SAND = "curve:" + str(grown.HERE.parent.parent / "examples/data/sand.csv")
+SAND = "curve:examples/data/sand.csv"
 SILO_N = 26343
 
 
@@ -168,7 +169,7 @@ FOIL_N, FOIL_SHARES = 465295, (0.163, 0.837)
 def foil_psd(maker, share):
     """The mixture of both curves whose shares by number are these; a SPEC's are by mass, so the
     ratio of the mean masses is asked of a small pack first."""
-    curves = [f"curve:{grown.DATA / f'foil-{k}.csv'},by=number" for k in (1, 2)]
+    curves = [f"curve:{grown.DATA}/foil-{k}.csv,by=number" for k in (1, 2)]
     trial = maker.front("--domain", "box:0.1,0.1,0.1", "--psd",
                         f"0.5*{curves[0]}+0.5*{curves[1]}", "--count", "100", "--mode", "fast")
     of = [trial[f"front.components.{k}.number_asked"] for k in (0, 1)]
@@ -215,7 +216,7 @@ BEADS = {"aa": ("AA", 0.45, (0.672, 0.040, 5), (0.652, 0.012)),
 
 def bead_points(name):
     """Diameters and cumulative percentages of the paper's table (without our row of 0)."""
-    lines = [line for line in (grown.DATA / f"{name}.csv").read_text().splitlines()
+    lines = [line for line in (grown.ROOT / grown.DATA / f"{name}.csv").read_text().splitlines()
              if line[:1].isdigit()]
     points = numpy.array([[float(word) for word in line.split(",")] for line in lines])
     return points[1:, 0], points[1:, 1]
@@ -225,7 +226,7 @@ def bead_packs(maker, name, by, mode, more=(), packs=30):
     _, mean_d, *_ = BEADS[name]
     wide = 40 * mean_d * (maker.scale ** (1 / 3) if maker.scale < 1 else 1)
     domain = f"cylinder:{short(wide / 2)},{short(wide)}"
-    psd = f"curve:{grown.DATA / f'{name}.csv'},by={by}"
+    psd = f"curve:{grown.DATA}/{name}.csv,by={by}"
 
     def make(k):
         return maker.front("--domain", domain, "--psd", psd, "--mode", mode, "--stream", str(k),
@@ -317,7 +318,7 @@ def mesh_file(maker, name):
 def mesh_pack(maker, name, mode, arguments, outs=()):
     psd = next(row[4] for row in MESHES if row[0] == name)
     path = mesh_file(maker, name)
-    return maker.front("--domain", f"mesh:{path}", "--psd", psd, "--mode", mode,
+    return maker.front("--domain", f"mesh:{os.path.relpath(path, grown.ROOT)}", "--psd", psd, "--mode", mode,
                        threads=arguments.threads, outs=outs, depends=[path])
 
 

@@ -20,7 +20,8 @@ import numpy
 from making import runs
 
 HERE = pathlib.Path(__file__).resolve().parent.parent
-DATA = HERE / "data"
+ROOT = HERE.parent.parent
+DATA = "doc/results/data"  # from the root, where programs run: pictures show the path
 
 
 STOPPED = 130
@@ -48,7 +49,7 @@ class Pack:
 
     def command(self):
         """As one would type it in the root of the source."""
-        words = [re.sub(r"^mesh:\S*/", "mesh:", word).replace(f"{HERE.parent.parent}/", "")
+        words = [re.sub(r"^mesh:\S*/", "mesh:", word).replace(f"{ROOT}/", "")
                  for word in self.options]
         return shlex.join(["packing-front", *words])
 
@@ -70,11 +71,12 @@ def value_of(word):
 
 class Maker:
     def __init__(self, build, work, scale, limit):
-        self.programs = {name: str(pathlib.Path(build) / "examples" / name) for name in
+        build, work = pathlib.Path(build).resolve(), pathlib.Path(work).resolve()
+        self.programs = {name: str(build / "examples" / name) for name in
                          ("packing-front", "packing-measure", "packing-compare")}
-        self.programs["bench-front"] = str(pathlib.Path(build) / "tests" / "bench" / "bench-front")
+        self.programs["bench-front"] = str(build / "tests" / "bench" / "bench-front")
         self.library = runs.library_hash(self.programs["packing-front"])
-        self.work, self.scale, self.limit = pathlib.Path(work), scale, limit
+        self.work, self.scale, self.limit = work, scale, limit
         self.work.mkdir(parents=True, exist_ok=True)
         self.values = {}
         self.commands = []
@@ -166,7 +168,7 @@ class Maker:
         """Exit code and what was said; a run over the limit is told to stop, and leaves what it
         has placed if it was still placing."""
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                              text=True) as running:
+                              text=True, cwd=ROOT) as running:
             try:
                 said = running.communicate(timeout=limit)[1]
             except subprocess.TimeoutExpired:
