@@ -20,7 +20,10 @@ def machine():
 
 
 def version(root):
-    return shell(root, "git", "describe", "--always", "--dirty")
+    """The commit, and whether what makes packs differs from it; pages and pictures do not matter."""
+    changed = subprocess.run(["git", "status", "--porcelain", "--", "include", "lib", "examples",
+                              "tests/bench"], capture_output=True, text=True, check=False, cwd=root)
+    return shell(root, "git", "describe", "--always") + "-dirty" * bool(changed.stdout)
 
 
 def read_notes(path):
