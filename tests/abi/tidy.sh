@@ -8,14 +8,9 @@ if [ -z "$tool" ] || ! "$tool" --version | grep -q 'version 14\.'; then
   echo "skipped: clang-tidy 14 is missing"
   exit 77
 fi
-# The analyzer follows fewer paths than its 225000 nodes a function allow, which take three times as
-# long: tests/run --all asks for them.
-nodes=${PACKING_TIDY_NODES:-75000}
 # -quiet leaves a count of what was suppressed in system headers, which is noise. The database
 # is of gcc, whose warnings clang does not all know.
 find "$root/lib" -name '*.c' -print0 |
   xargs -0 -n 1 -P "$(nproc)" "$tool" -quiet -p "$build" --warnings-as-errors='*' \
     --extra-arg=-UNDEBUG --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument \
-    --extra-arg=-Xclang --extra-arg=-analyzer-config \
-    --extra-arg=-Xclang --extra-arg=max-nodes="$nodes" \
     2> >(grep -v '^[0-9]* warnings\? generated' >&2)
