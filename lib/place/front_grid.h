@@ -27,7 +27,9 @@ typedef struct packing_i_front_list {
 typedef struct packing_i_front_tile {
   int64_t at[3];   /* in tiles */
   packing_vec3 lo; /* its lowest corner */
-  uint32_t *cell;  /* first bin of each, x fastest; 0: empty. NULL: not resident */
+  /* First bin of each cell, x fastest, its highest bit set where that has a next; 0: empty. NULL: not
+   * resident. */
+  uint32_t *cell;
   uint32_t around[PACKING_I_TILE_AROUND]; /* tiles; 0: not made yet */
   uint32_t list;                          /* first list of indices */
   uint32_t pockets;                       /* first pocket at home here; 0: none */

@@ -50,13 +50,13 @@ def cylinder(r):
     return f"cylinder:{short(r)},{short(2 * r)}"
 
 
-def fixed_count(maker, whole, asked, spec, length, n, psd, mode, threads=1):
+def fixed_count(maker, whole, asked, spec, length, n, psd, mode):
     """A container of the shape of `spec`, of a size that holds n particles at the volume fraction
     that the mode has reached in the one of that length (and 1 % more, for its walls weigh otherwise
     then); then exactly n."""
     size = length * (n / whole["particles"] * 1.01) ** (1 / 3)
     return maker.front("--domain", spec(size), "--psd", psd, "--mode", mode, "--count", str(n),
-                       *asked, threads=threads, short=True)
+                       *asked, short=True)
 
 
 def table2(maker, _):
