@@ -11,7 +11,7 @@
 /* Of an inset: distances asked for at most (seconds, of fine meshes), what is tried for, what will do. */
 enum { CALLS_FOR_VOLUME = 1 << 20, CALLS_FOR_BALL = 1 << 14 };
 static const double VOLUME_TOLERANCE = 1e-4, MOST_TOLERANCE = 1e-2;
-static const double INSET_TOLERANCE = 1e-2; /* of balls in an inset */
+static const double INSET_TOLERANCE = 1e-3; /* of balls in an inset */
 
 static double signed_distance(const packing_i_domain_body *body,
                               const packing_vec3 *point, packing_vec3 *normal)
