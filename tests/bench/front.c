@@ -5,6 +5,7 @@
  *   bench-front                 a million spheres, radii U[0.7, 1.3], in a cube; the cylinder of
  *                               the seed paper's Table 2 (R 31.762, H 2 R, radii N(1, 0.1) cut to
  *                               [0.7, 1.3]); equal spheres with their order; discs. One thread
+ *   bench-front periodic        the same in periodic cells, and Table 4's count in one
  *   bench-front table4          15 864 150 spheres of Table 4 on two threads, fast and dense
  *   bench-front exponent        1e5 to 1e7 spheres: how the time grows with their number
  *
@@ -78,6 +79,7 @@ typedef struct job {
   double length; /* edge, or radius of a cylinder twice as high */
   size_t count;  /* 0: as many as fit */
   int threads;
+  int periodic; /* along every axis; not of a cylinder */
 } job;
 
 static packing_domain *container(const job *j)
@@ -91,6 +93,10 @@ static packing_domain *container(const job *j)
   packing_domain_cylinder_def_init(&cylinder);
   box.size.x = box.size.y = box.size.z = j->length;
   square.size_x = square.size_y = j->length;
+  if (j->periodic) {
+    square.periodic = PACKING_PERIODIC_X | PACKING_PERIODIC_Y;
+    box.periodic = square.periodic | PACKING_PERIODIC_Z;
+  }
   cylinder.radius = j->length;
   cylinder.height = 2 * j->length;
   if (j->shape == CUBE)
@@ -248,36 +254,45 @@ static double edge_for(double count, double fraction)
   return cbrt(count * ball / fraction);
 }
 
-static int usual(void)
+static int usual(int periodic)
 {
   const job jobs[] = {
-      {"cube U[.7,1.3]", CUBE, UNIFORM, PACKING_FRONT_FAST, edge_for(1e6, 0.6), 0, 1},
-      {"cube U[.7,1.3]", CUBE, UNIFORM, PACKING_FRONT_DENSE, edge_for(1e6, 0.63), 0, 1},
-      {"cylinder of Table 2", CYLINDER, NORMAL, PACKING_FRONT_FAST, 31.762, 0, 1},
-      {"cylinder of Table 2", CYLINDER, NORMAL, PACKING_FRONT_DENSE, 31.762, 0, 1},
-      {"equal spheres", CUBE, EQUAL, PACKING_FRONT_FAST, 90, 0, 1},
-      {"equal spheres", CUBE, EQUAL, PACKING_FRONT_DENSE, 90, 0, 1},
-      {"equal discs", SQUARE, EQUAL, PACKING_FRONT_FAST, 600, 0, 1},
-      {"equal discs", SQUARE, EQUAL, PACKING_FRONT_DENSE, 600, 0, 1},
-      {"discs U[.7,1.3]", SQUARE, UNIFORM, PACKING_FRONT_FAST, 600, 0, 1},
-      {"discs U[.7,1.3]", SQUARE, UNIFORM, PACKING_FRONT_DENSE, 600, 0, 1},
+      {"cube U[.7,1.3]", CUBE, UNIFORM, PACKING_FRONT_FAST, edge_for(1e6, 0.6), 0, 1, 0},
+      {"cube U[.7,1.3]", CUBE, UNIFORM, PACKING_FRONT_DENSE, edge_for(1e6, 0.63), 0, 1,
+       0},
+      {"cylinder of Table 2", CYLINDER, NORMAL, PACKING_FRONT_FAST, 31.762, 0, 1, 0},
+      {"cylinder of Table 2", CYLINDER, NORMAL, PACKING_FRONT_DENSE, 31.762, 0, 1, 0},
+      {"equal spheres", CUBE, EQUAL, PACKING_FRONT_FAST, 90, 0, 1, 0},
+      {"equal spheres", CUBE, EQUAL, PACKING_FRONT_DENSE, 90, 0, 1, 0},
+      {"equal discs", SQUARE, EQUAL, PACKING_FRONT_FAST, 600, 0, 1, 0},
+      {"equal discs", SQUARE, EQUAL, PACKING_FRONT_DENSE, 600, 0, 1, 0},
+      {"discs U[.7,1.3]", SQUARE, UNIFORM, PACKING_FRONT_FAST, 600, 0, 1, 0},
+      {"discs U[.7,1.3]", SQUARE, UNIFORM, PACKING_FRONT_DENSE, 600, 0, 1, 0},
   };
-  for (size_t i = 0; i < sizeof jobs / sizeof *jobs; i++)
-    run(&jobs[i]);
+  for (size_t i = 0; i < sizeof jobs / sizeof *jobs; i++) {
+    job j = jobs[i];
+    j.periodic = periodic;
+    if (!periodic || j.shape != CYLINDER)
+      run(&j);
+  }
   return 0;
 }
 
-static int table4(void)
+static int table4(int periodic)
 {
-  const job jobs[] = {
-      {"Table 4", CUBE, UNIFORM, PACKING_FRONT_FAST, edge_for(15864150, 0.59), 15864150,
-       2},
-      {"Table 4", CUBE, UNIFORM, PACKING_FRONT_DENSE, edge_for(15864150, 0.61), 15864150,
-       2},
-  };
-  for (size_t i = 0; i < sizeof jobs / sizeof *jobs; i++)
-    run(&jobs[i]);
+  const packing_front_mode modes[] = {PACKING_FRONT_FAST, PACKING_FRONT_DENSE};
+  const double fractions[] = {0.59, 0.61};
+  for (int m = 0; m < 2; m++) {
+    const job j = {"Table 4", CUBE, UNIFORM, modes[m], edge_for(15864150, fractions[m]),
+                   15864150,  2,    periodic};
+    run(&j);
+  }
   return 0;
+}
+
+static int cells(void)
+{
+  return usual(1) + table4(1);
 }
 
 /* The slope of the logarithms, by least squares. */
@@ -290,7 +305,7 @@ static int exponent(void)
     double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
     for (int k = 0; k < COUNTS; k++) {
       const job j = {"cube U[.7,1.3]",          CUBE, UNIFORM, modes[m],
-                     edge_for(counts[k], 0.62), 0,    1};
+                     edge_for(counts[k], 0.62), 0,    1,       0};
       const double x = log(counts[k]), y = log(run(&j) * counts[k]);
       sum_x += x;
       sum_y += y;
@@ -307,11 +322,13 @@ int main(int argc, char **argv)
 {
   setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* lines as they come, into a log too */
   if (argc == 1)
-    return usual();
+    return usual(0);
+  if (argc == 2 && strcmp(argv[1], "periodic") == 0)
+    return cells();
   if (argc == 2 && strcmp(argv[1], "table4") == 0)
-    return table4();
+    return table4(0);
   if (argc == 2 && strcmp(argv[1], "exponent") == 0)
     return exponent();
-  fprintf(stderr, "bench-front [table4|exponent]\n");
+  fprintf(stderr, "bench-front [periodic|table4|exponent]\n");
   return 2;
 }

@@ -416,7 +416,7 @@ def on_a_terminal(program, *more):
             ours, theirs = pty.openpty()
         except OSError:
             raise Skip("no pseudo-terminals") from None
-        run = subprocess.Popen([program, "--domain", "box:1,1,1", "--psd", "mono:0.006",
+        run = subprocess.Popen([program, "--domain", "box:1,1,1", "--psd", "mono:0.01",
                                 "--report", "r.json", *more],
                                cwd=folder.path, stderr=theirs)
         os.close(theirs)

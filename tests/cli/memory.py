@@ -22,7 +22,7 @@ CLOUD = {
 SETTLED = ["--layer-end", "time", "--layer-time", "0.05", "--layer-height", "0.1"]
 LAYERS = {
     "spheres": ["--domain", "cone:0.1,0.12,0.06", "--psd", "sample:r.txt", "--quiet",
-                *SETTLED],
+                "--layer-density", "0.2", *SETTLED],
     "packs of discs": ["--domain", "rect:0.3,0.06+periodic:x", "--psd", "mono:0.02",
                        "--packs", "2", *SETTLED],
 }
