@@ -196,10 +196,4 @@ const packing_i_polygon *packing_i_domain_polygon(const packing_i_domain_body *b
 const packing_i_combination *
 packing_i_domain_combination(const packing_i_domain_body *body);
 
-/* Sets component `axis`. */
-static inline void packing_i_set_component(packing_vec3 *v, int axis, double value)
-{
-  *(axis == 0 ? &v->x : axis == 1 ? &v->y : &v->z) = value;
-}
-
 #endif

@@ -57,6 +57,12 @@ static inline double packing_i_component(packing_vec3 a, int axis)
   return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
 }
 
+/* Sets component `axis`. */
+static inline void packing_i_set_component(packing_vec3 *v, int axis, double value)
+{
+  *(axis == 0 ? &v->x : axis == 1 ? &v->y : &v->z) = value;
+}
+
 /* Volume of a sphere (dim 3) or area of a disc (dim 2). */
 static inline double packing_i_ball_volume(int dim, double r)
 {

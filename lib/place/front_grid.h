@@ -35,6 +35,7 @@ typedef struct packing_i_front_tile {
   uint32_t pockets;                       /* first pocket at home here; 0: none */
   double next_key;                        /* no pocket with work has a smaller one */
   int pinned;                             /* holds periodic images: never emptied */
+  int stays;                              /* levels before it may be emptied */
   int live;                               /* in the list of tiles with pockets */
   int surrounded;                         /* all tiles around are made */
   int judged;                             /* `clear` is known */

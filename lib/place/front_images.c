@@ -4,6 +4,10 @@
  * where its centre lies inside the cell, so it is there once. */
 #include "front_pockets.h"
 
+/* Levels for which a tile stays filled after an image might have come: no pocket is near to many of
+ * them, and the tile across the cell that is at work asks for them each time. */
+enum { STAYS = 16 };
+
 /* Spheres farther than this from the cell touch no pocket in it. */
 static double margin(const packing_i_pockets *p)
 {
@@ -44,6 +48,12 @@ static int matters(const packing_i_pockets *p, const packing_vec3 *lo,
          along_matters(p, 2, lo->z, hi->z);
 }
 
+static int is_same(const packing_vec3 *a, const packing_vec3 *b)
+{
+  return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+/* A sphere that was not wrapped keeps the tile it is near, which is prepared. */
 size_t packing_i_front_images(const packing_i_pockets *p, uint32_t tile,
                               const packing_vec3 *centre,
                               packing_i_front_image image[PACKING_I_FRONT_IMAGES])
@@ -62,7 +72,7 @@ size_t packing_i_front_images(const packing_i_pockets *p, uint32_t tile,
         if ((x != 0 || y != 0 || z != 0) && matters(p, &c, &c))
           image[count++].centre = c;
       }
-  for (size_t n = 0; n < count; n++) {
+  for (size_t n = is_same(centre, &image[0].centre); n < count; n++) {
     int64_t at[3];
     packing_i_front_grid_at(&p->grid, &image[n].centre, at);
     image[n].tile = packing_i_front_tile_find(&p->grid, at);
@@ -70,13 +80,23 @@ size_t packing_i_front_images(const packing_i_pockets *p, uint32_t tile,
   return count;
 }
 
-/* All tiles that a box touches, and those around them. */
-static packing_status prepare_box(packing_i_pockets *p, const packing_vec3 *lo,
-                                  const packing_vec3 *hi)
+/* All tiles that a box touches, and those around them; of the box what is near enough to the
+ * cell for images. */
+static packing_status prepare_box(packing_i_pockets *p, packing_vec3 lo, packing_vec3 hi)
 {
   int64_t first[3], last[3], at[3];
-  packing_i_front_grid_at(&p->grid, lo, first);
-  packing_i_front_grid_at(&p->grid, hi, last);
+  for (int axis = 0; axis < 3; axis++) {
+    if (!(p->periodic >> axis & 1U))
+      continue;
+    packing_i_set_component(&lo, axis,
+                            fmax(packing_i_component(lo, axis),
+                                 packing_i_component(p->bounds.lo, axis) - margin(p)));
+    packing_i_set_component(&hi, axis,
+                            fmin(packing_i_component(hi, axis),
+                                 packing_i_component(p->bounds.hi, axis) + margin(p)));
+  }
+  packing_i_front_grid_at(&p->grid, &lo, first);
+  packing_i_front_grid_at(&p->grid, &hi, last);
   for (at[2] = first[2]; at[2] <= last[2]; at[2]++)
     for (at[1] = first[1]; at[1] <= last[1]; at[1]++)
       for (at[0] = first[0]; at[0] <= last[0]; at[0]++) {
@@ -84,7 +104,29 @@ static packing_status prepare_box(packing_i_pockets *p, const packing_vec3 *lo,
         if (tile == 0)
           return packing_i_nomem(p->placer->context);
         PACKING_I_TRY(packing_i_front_prepare_tile(p, tile));
+        for (int n = 0; n < PACKING_I_TILE_AROUND; n++)
+          p->grid.tile[p->grid.tile[tile].around[n]].stays = STAYS;
       }
+  return PACKING_OK;
+}
+
+/* A sphere that is wrapped leaves an image where it came from, beyond the cell. */
+static packing_status prepare_beyond(packing_i_pockets *p, const packing_vec3 *lo,
+                                     const packing_vec3 *hi)
+{
+  for (int axis = 0; axis < 3; axis++) {
+    const double from = packing_i_component(p->bounds.lo, axis);
+    const double to = packing_i_component(p->bounds.hi, axis);
+    packing_vec3 end = *hi, begin = *lo;
+    packing_i_set_component(&end, axis, from);
+    packing_i_set_component(&begin, axis, to);
+    if (!(p->periodic >> axis & 1U))
+      continue;
+    if (packing_i_component(*lo, axis) <= from)
+      PACKING_I_TRY(prepare_box(p, *lo, end));
+    if (packing_i_component(*hi, axis) >= to)
+      PACKING_I_TRY(prepare_box(p, begin, *hi));
+  }
   return PACKING_OK;
 }
 
@@ -100,8 +142,8 @@ packing_status packing_i_front_prepare_images(packing_i_pockets *p, uint32_t til
     for (int y = -fy; y <= fy; y++)
       for (int x = -fx; x <= fx; x++) {
         const packing_vec3 a = shifted(p, &lo, x, y, z), b = shifted(p, &hi, x, y, z);
-        if (matters(p, &a, &b))
-          PACKING_I_TRY(prepare_box(p, &a, &b));
+        if ((x != 0 || y != 0 || z != 0) && matters(p, &a, &b))
+          PACKING_I_TRY(prepare_box(p, a, b));
       }
-  return PACKING_OK;
+  return prepare_beyond(p, &lo, &hi);
 }

@@ -317,9 +317,9 @@ static packing_status take_over(packing_i_pockets *p)
 
 /* ---- levels ---- */
 
-static int is_left(const packing_i_front_grid *grid, const packing_i_front_tile *tile)
+static int is_left(const packing_i_front_grid *grid, packing_i_front_tile *tile)
 {
-  if (tile->pinned)
+  if (tile->pinned || (tile->stays > 0 && tile->stays--))
     return 0;
   for (int n = 0; n < PACKING_I_TILE_AROUND; n++)
     if (tile->around[n] != 0 && grid->tile[tile->around[n]].pockets != 0)

@@ -40,9 +40,22 @@ void packing_i_front_search_begin(packing_i_pockets *p, int at_walls)
   s->at_walls = at_walls;
 }
 
+/* Whether a point is farther than that from a periodic cell: what stands there stands in it too. */
+static int is_beyond(const packing_i_pockets *p, const packing_vec3 *c, double far)
+{
+  for (int axis = 0; axis < 3; axis++)
+    if ((p->periodic >> axis & 1U) &&
+        (packing_i_component(*c, axis) + far < packing_i_component(p->bounds.lo, axis) ||
+         packing_i_component(*c, axis) - far > packing_i_component(p->bounds.hi, axis)))
+      return 1;
+  return 0;
+}
+
 /* Whether a box about c, of that half diagonal, can hold a place to look for. */
 static int has_places(const packing_i_pockets *p, packing_vec3 c, double half)
 {
+  if (is_beyond(p, &c, half))
+    return 0;
   if (p->search.at_walls && packing_i_domain_clear(p->domain, &c, p->max_r + half))
     return 0;
   const double least = p->min_r - half;

@@ -5,9 +5,9 @@
  *   bench-front                 a million spheres, radii U[0.7, 1.3], in a cube; the cylinder of
  *                               the seed paper's Table 2 (R 31.762, H 2 R, radii N(1, 0.1) cut to
  *                               [0.7, 1.3]); equal spheres with their order; discs. One thread
- *   bench-front periodic        the same in periodic cells, and Table 4's count in one
  *   bench-front table4          15 864 150 spheres of Table 4 on two threads, fast and dense
  *   bench-front exponent        1e5 to 1e7 spheres: how the time grows with their number
+ *   bench-front periodic [...]  the same in periodic cells
  *
  * Bytes a sphere are the most that store and placer held together. */
 #define _POSIX_C_SOURCE 200809L
@@ -262,8 +262,8 @@ static int usual(int periodic)
        0},
       {"cylinder of Table 2", CYLINDER, NORMAL, PACKING_FRONT_FAST, 31.762, 0, 1, 0},
       {"cylinder of Table 2", CYLINDER, NORMAL, PACKING_FRONT_DENSE, 31.762, 0, 1, 0},
-      {"equal spheres", CUBE, EQUAL, PACKING_FRONT_FAST, 90, 0, 1, 0},
-      {"equal spheres", CUBE, EQUAL, PACKING_FRONT_DENSE, 90, 0, 1, 0},
+      {"equal spheres", CUBE, EQUAL, PACKING_FRONT_FAST, 190, 0, 1, 0},
+      {"equal spheres", CUBE, EQUAL, PACKING_FRONT_DENSE, 190, 0, 1, 0},
       {"equal discs", SQUARE, EQUAL, PACKING_FRONT_FAST, 600, 0, 1, 0},
       {"equal discs", SQUARE, EQUAL, PACKING_FRONT_DENSE, 600, 0, 1, 0},
       {"discs U[.7,1.3]", SQUARE, UNIFORM, PACKING_FRONT_FAST, 600, 0, 1, 0},
@@ -290,13 +290,8 @@ static int table4(int periodic)
   return 0;
 }
 
-static int cells(void)
-{
-  return usual(1) + table4(1);
-}
-
 /* The slope of the logarithms, by least squares. */
-static int exponent(void)
+static int exponent(int periodic)
 {
   static const packing_front_mode modes[] = {PACKING_FRONT_FAST, PACKING_FRONT_DENSE};
   static const double counts[] = {1e5, 3e5, 1e6, 3e6, 1e7};
@@ -305,7 +300,7 @@ static int exponent(void)
     double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
     for (int k = 0; k < COUNTS; k++) {
       const job j = {"cube U[.7,1.3]",          CUBE, UNIFORM, modes[m],
-                     edge_for(counts[k], 0.62), 0,    1,       0};
+                     edge_for(counts[k], 0.62), 0,    1,       periodic};
       const double x = log(counts[k]), y = log(run(&j) * counts[k]);
       sum_x += x;
       sum_y += y;
@@ -321,14 +316,15 @@ static int exponent(void)
 int main(int argc, char **argv)
 {
   setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* lines as they come, into a log too */
-  if (argc == 1)
-    return usual(0);
-  if (argc == 2 && strcmp(argv[1], "periodic") == 0)
-    return cells();
-  if (argc == 2 && strcmp(argv[1], "table4") == 0)
-    return table4(0);
-  if (argc == 2 && strcmp(argv[1], "exponent") == 0)
-    return exponent();
-  fprintf(stderr, "bench-front [periodic|table4|exponent]\n");
+  const int periodic = argc > 1 && strcmp(argv[1], "periodic") == 0;
+  const int words = argc - 1 - periodic;
+  const char *word = words == 1 ? argv[1 + periodic] : "";
+  if (words == 0)
+    return usual(periodic);
+  if (strcmp(word, "table4") == 0)
+    return table4(periodic);
+  if (strcmp(word, "exponent") == 0)
+    return exponent(periodic);
+  fprintf(stderr, "bench-front [periodic] [table4|exponent]\n");
   return 2;
 }

@@ -230,8 +230,9 @@ def bars(maker, _):
 
 
 def millions(maker, _):
-    return ("What `bench-front table4` and `bench-front exponent` print.\n\n"
-            f"```\n{bench(maker, ('table4',), ('exponent',))}```\n")
+    runs = [(*cell, word) for word in ("table4", "exponent") for cell in ((), ("periodic",))]
+    return ("What `bench-front table4` and `bench-front exponent` print, each followed by the same in "
+            f"periodic cells (`bench-front periodic ...`).\n\n```\n{bench(maker, *runs)}```\n")
 
 
 PARTS = {"bars": ("Bars", bars),
