@@ -72,7 +72,7 @@ size_t packing_i_front_images(const packing_i_pockets *p, uint32_t tile,
         if ((x != 0 || y != 0 || z != 0) && matters(p, &c, &c))
           image[count++].centre = c;
       }
-  for (size_t n = is_same(centre, &image[0].centre); n < count; n++) {
+  for (size_t n = is_same(centre, &image[0].centre) ? 1 : 0; n < count; n++) {
     int64_t at[3];
     packing_i_front_grid_at(&p->grid, &image[n].centre, at);
     image[n].tile = packing_i_front_tile_find(&p->grid, at);
