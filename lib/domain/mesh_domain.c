@@ -121,29 +121,7 @@ static packing_status inset(packing_context *context, packing_i_domain_body *bod
   return PACKING_OK;
 }
 
-/* How far the distance around a ball's centre is from that of a plane wall, at most. */
-static double bend(const packing_i_domain_body *body, const packing_vec3 *centre,
-                   double r, double distance, packing_vec3 normal)
-{
-  const packing_vec3 aside =
-      fabs(normal.x) < 0.5 ? packing_i_vec(1, 0, 0) : packing_i_vec(0, 1, 0);
-  packing_vec3 u = packing_i_cross(normal, aside);
-  u = packing_i_scale(u, 1 / packing_i_norm(u));
-  const packing_vec3 v = packing_i_cross(normal, u);
-  double most = 0;
-  for (int i = 0; i < 27; i++) {
-    const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
-    const packing_vec3 way = packing_i_vec(x, y, z);
-    const double by = 0.9 * r / fmax(packing_i_norm(way), 1);
-    const packing_vec3 p = packing_i_add(
-        packing_i_add(*centre, packing_i_scale(normal, by * way.x)),
-        packing_i_add(packing_i_scale(u, by * way.y), packing_i_scale(v, by * way.z)));
-    most = fmax(most, fabs(signed_distance(body, &p, NULL) - (distance + by * way.x)));
-  }
-  return most;
-}
-
-/* A ball in an inset: the wall of which is a plane for most of them; else by subdivision. */
+/* A ball in an inset: most are cut by one smooth wall; else by subdivision. */
 static int volume_in_inset(const packing_i_domain_body *body, const packing_vec3 *centre,
                            double r, double tolerance, double *volume, double *error)
 {
@@ -156,9 +134,7 @@ static int volume_in_inset(const packing_i_domain_body *body, const packing_vec3
     *error = 0;
     return 0;
   }
-  *error = PACKING_I_PI * r * r * bend(body, centre, r, d, normal);
-  *volume = packing_i_cap(3, r, r + d);
-  if (*error <= enough)
+  if (packing_i_cut_columns(body, centre, r, d, normal, enough, volume, error))
     return 0;
   return packing_i_subdivide_sides(body, centre, r, (packing_i_tolerance){enough, 0},
                                    CALLS_FOR_BALL, volume, error);

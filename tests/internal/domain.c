@@ -114,6 +114,72 @@ static void boxes_show_their_walls(void **state)
   packing_domain_destroy(box);
 }
 
+/* Around a ball of radius 1: inside of it, or outside. */
+static double round_distance(void *user, const packing_vec3 *point, packing_vec3 *normal)
+{
+  const double side = *(const double *)user, far = packing_i_norm(*point);
+  if (normal != NULL)
+    *normal = packing_i_scale(*point, -side / far);
+  return side * (1 - far);
+}
+
+/* Both ways of bending against the lens. */
+static void columns_agree_with_lenses(void **state)
+{
+  (void)state;
+  packing_i_domain_body body = {.ops = &packing_i_custom_ops, .dim = 3};
+  for (double side = -1; side < 2; side += 2)
+    for (double r = 0.2; r > 0.005; r *= 0.5)
+      for (double at = -0.95; at < 1; at += 0.1) {
+        const double d = at * r, ball = packing_i_ball_volume(3, r);
+        const packing_vec3 way = {0.48, -0.6, 0.64};
+        const packing_vec3 p = packing_i_scale(way, 1 - side * d);
+        const double lens = packing_i_lens(3, r, 1, 1 - side * d);
+        double volume, error;
+        body.as.custom =
+            (packing_i_custom){.signed_distance = round_distance, .user = &side};
+        assert_true(packing_i_cut_columns(&body, &p, r, d, packing_i_scale(way, -side),
+                                          1e-3 * ball, &volume, &error));
+        assert_true(error <= 1e-3 * ball);
+        assert_near(volume / ball, (side > 0 ? lens : ball - lens) / ball, 0.06 * r * r);
+      }
+}
+
+/* A second wall opposite or, with the box on its side, along the columns. */
+static void columns_see_a_second_wall(void **state)
+{
+  (void)state;
+  int refused = 0, taken = 0;
+  for (double size = 0.55; size < 1.3; size += 0.05)
+    for (double near = 0.02; near < 0.5 * size; near += 0.02) {
+      const double r = 0.5, ball = packing_i_ball_volume(3, r), over = near + r - size;
+      packing_domain *flat = test_box(8, 8, size, 0), *deep = test_box(8, 8, 8, 0);
+      const packing_vec3 between = {4, 4, near}, up = {0, 0, 1},
+                         edge = {4, size - near, near};
+      const double lo[3] = {-HUGE_VAL, -edge.y, -edge.z},
+                   far[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+      double volume, error, rounding;
+      const double cut =
+          packing_i_cap(3, r, r + near) - packing_i_cap(3, r, fmax(over, 0));
+      if (packing_i_cut_columns(&flat->body, &between, r, near, up, 1e-3 * ball, &volume,
+                                &error)) {
+        assert_near(volume / ball, cut / ball, 1e-3);
+        taken++;
+      } else
+        refused++;
+      if (packing_i_cut_columns(&deep->body, &edge, r, near, up, 1e-3 * ball, &volume,
+                                &error)) {
+        assert_near(volume / ball, packing_i_cut_planes(3, r, lo, far, &rounding) / ball,
+                    1e-3);
+        taken++;
+      } else
+        refused++;
+      packing_domain_destroy(flat);
+      packing_domain_destroy(deep);
+    }
+  assert_true(refused > 50 && taken > 50);
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -122,6 +188,8 @@ int main(void)
       cmocka_unit_test(lenses_are_symmetric_and_bounded),
       cmocka_unit_test(corners_agree_with_slices),
       cmocka_unit_test(boxes_show_their_walls),
+      cmocka_unit_test(columns_agree_with_lenses),
+      cmocka_unit_test(columns_see_a_second_wall),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
