@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A ball in a container that is known by its distance alone, where its wall is nearly a plane.
- * (Subdivision, subdivide.c, needs 40 times as many distances there.)
+ * (Subdivision, subdivide.c, takes 35 times as long there.)
  *
  * The ball is taken as columns along the wall's normal. A distance changes by no more than the way
  * gone, so the distances at both ends of a column say how much of either end lies on one side;

@@ -317,9 +317,9 @@ static packing_status take_over(packing_i_pockets *p)
 
 /* ---- levels ---- */
 
-static int is_left(const packing_i_front_grid *grid, packing_i_front_tile *tile)
+static int is_left(const packing_i_front_grid *grid, const packing_i_front_tile *tile)
 {
-  if (tile->pinned || (tile->stays > 0 && tile->stays--))
+  if (tile->pinned || tile->stays > 0)
     return 0;
   for (int n = 0; n < PACKING_I_TILE_AROUND; n++)
     if (tile->around[n] != 0 && grid->tile[tile->around[n]].pockets != 0)
@@ -337,8 +337,10 @@ static void leave_tiles(packing_i_front_grid *grid)
       continue;
     if (is_left(grid, grid->tile + t))
       packing_i_front_tile_empty(grid, t);
-    else
+    else {
+      grid->tile[t].stays -= grid->tile[t].stays > 0;
       grid->standing[kept++] = t;
+    }
   }
   grid->standings = kept;
 }
